@@ -7,6 +7,7 @@ from exoid.fitting.model.systematics import OF_THE_GYRO, OF_THE_MASS, OWNED, SOM
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.fit_result import Basis, Estimate, MountingFit
 from exoid.fitting.result.limiting_systematics import WORDS
+from exoid.fitting.result.remarks.added_mass_remarks import of_added_mass
 from exoid.fitting.solve.problem import Problem
 
 MOUNTING = {  # name: symbol, title, unit
@@ -71,6 +72,8 @@ def beyond_belief(problem: Problem, ended: SearchResult) -> str | None:
             if away > furthest:
                 furthest = away
                 why = off(field, *(float(each[entry]) for each in (values, deviations)))
+                if field in OF_THE_MASS:
+                    why = of_added_mass(problem, ended, field, entry)
     return why
 
 
@@ -86,7 +89,7 @@ def told_as(field: str, value: float) -> str:
     unit = MOUNTING[FIELDS[field]][2]
     if unit.startswith("rad"):
         return f"{np.degrees(value):.2g} {unit.replace('rad', 'deg')}"
-    return f"{value:.2g} m^2" if field == "extent" else f"{100 * value:.2g} %"
+    return f"{100 * value:.2g} %"
 
 
 def outside(problem: Problem, field: str, entry: int, at):

@@ -1,0 +1,54 @@
+"""That a mass on the leg is another one, or hangs elsewhere, than is declared."""
+
+from collections.abc import Callable
+from math import exp, sqrt
+
+from exoid.fitting.data.movement import Movement
+from exoid.fitting.multistart.search_result import SearchResult
+from exoid.fitting.solve.problem import Problem
+
+
+def of_added_mass(problem: Problem, ended: SearchResult, field: str, entry: int) -> str:
+    """What the fit takes the mass of a recording for, where it moves a `field` of its mounting too
+    far. Its distance comes before its extent, which hardly anybody measures.
+    """
+    own = problem.recordings[entry]
+    each = next(one for one in own if one.added_mass > 0)
+    whose = f" of {own[0].source}" if len(problem.recordings) > 1 else ""
+
+    def found(name: str) -> float:
+        estimated = problem.estimates(name, entry)
+        return float(getattr(ended.point.mounting, name)[entry]) if estimated else 0.0
+
+    if field == "log_added":
+        return (
+            f"it takes the added mass{whose} to be {each.added_mass * exp(found(field)):.3g} kg, "
+            f"where {each.added_mass:.3g} kg is declared"
+        )
+    return f"the added mass{whose} acts as one at {acting(each, found)}"
+
+
+def acting(each: Movement, found: Callable[[str], float]) -> str:
+    """Where a mass would act as it does by what was `found` of its mounting, beside where it is."""
+    usual = each.systematics.expected_extent
+    distance = each.added_mass_distance * exp(found("log_distance"))
+    square = max(usual + found("extent"), 0.0)
+    said = f"{same_swing(distance, square, usual):.2g} m from the knee, where "
+    said += f"{each.added_mass_distance:.3g} m is declared"
+    if square == usual:
+        return said
+    by = "declared" if "extent" in each.systematics.declared else "usual"
+    return (
+        f"{said}, if its radius of gyration is the {by} {sqrt(usual):.2g} m (at {distance:.3g} m "
+        f"it would be {sqrt(square):.2g} m)"
+    )
+
+
+def same_swing(distance: float, square: float, usual: float) -> float:
+    """Where a mass of the `usual` k^2 [m^2] swings as one of this `square` does at a distance [m].
+
+    Beside their weights, motion tells the length of the pendulum that a mass is, L = r + k^2 / r,
+    so that r = (L + sqrt(L^2 - 4 k^2)) / 2, the longer of two.
+    """
+    length = distance + square / distance
+    return (length + sqrt(max(length**2 - 4 * usual, 0.0))) / 2
