@@ -52,6 +52,9 @@ def test_what_leaves_no_human_leg_is_no_claim():
 
     assert "no leg" in unlike_a_leg(belief, told(19.1), told(17.9))[0]
     assert "no leg" in unlike_a_leg(belief, told(19.1), told(17.9, None))[0]  # on its limit
+    odd = unlike_a_leg(belief, told(19.1, 0.0), told(17.9, 0.0))[0]
+    assert "nearer, and a sampling rate 1.18 ± 0.02 times the one they have would" in odd
+    assert "sampling rate" not in unlike_a_leg(belief, told(expected), told(17.9))[0]
     others = [
         (17.9, 19.1, 0.4),  # it was no leg before, and less of one
         (19.1, 19.0, 0.4),  # nor is it one by chance, as with a gyro's scale

@@ -4,7 +4,12 @@ import numpy as np
 
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.result.fit_result import Estimate
-from exoid.fitting.result.remarks.anatomy_remarks import from_anatomy, unlike_anatomy
+from exoid.fitting.result.remarks.anatomy_remarks import (
+    STRANGE,
+    at_rate,
+    from_anatomy,
+    unlike_anatomy,
+)
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.evidence.proof import masked
@@ -144,8 +149,10 @@ def unlike_a_leg(belief: Belief, before: Estimate, after: Estimate) -> list[str]
     known, now = (abs(from_anatomy(belief, one, error)) for one in (before.value, after.value))
     if now < known + FARTHER:
         return []
+    odd = known >= STRANGE
+    rate = f", and {at_rate(belief, before.value)} would make it ordinary" if odd else ""
     return [
-        f"what explains it best leaves a leg that is no leg: {each}. Without it, it is nearer"
+        f"what explains it best leaves a leg that is no leg: {each}. Without it, it is nearer{rate}"
         for each in unlike_anatomy(belief, after.value, error)
     ]
 

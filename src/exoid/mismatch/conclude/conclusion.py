@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.result.remarks.anatomy_remarks import unlike_anatomy
+from exoid.fitting.result.remarks.anatomy_remarks import at_rate, unlike_anatomy
 from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Verdict
 from exoid.mismatch.conclude.asserted import (
     certain_of,
@@ -166,11 +166,12 @@ def of_what_hides(result: FitResult) -> list[str]:
     """What a leg that is like no other may hide within the noise."""
     basis = result.basis
     assert basis is not None  # a joint fit has one
+    belief = basis.problem.belief
     gravity = float(basis.ended.best.coordinates.shared.gravity[0])
     return [
-        f"{each}: a spring with another rest angle, an encoder's zero or a mass that nobody "
-        "declared would look like this, and hide in it"
-        for each in unlike_anatomy(basis.problem.belief, gravity)
+        f"{each}: a spring with another rest angle, an encoder's zero, a mass that nobody declared "
+        f"or {at_rate(belief, gravity)} would look like this, and hide in it"
+        for each in unlike_anatomy(belief, gravity)
     ]
 
 

@@ -12,11 +12,21 @@ STRANGE = 3.29  # standard deviations from what anatomy expects: one leg in a th
 def of_anatomy(belief: Belief, gravity: float) -> list[str]:
     """That the leg's motion and its body's tables contradict each other, and what to do."""
     return [
-        f"{each}. Check body mass, height and age, the encoder's zero, and that every mass on the "
-        "leg is declared. m, J, l, d and c lean on anatomy; --prior none shows what the motion "
-        "tells."
+        f"{each}. Check body mass, height and age, the encoder's zero, the times "
+        f"({at_rate(belief, gravity)} would explain it), and that every mass on the leg is "
+        "declared. m, J, l, d and c lean on anatomy; --prior none shows what the motion tells."
         for each in unlike_anatomy(belief, gravity)
     ]
+
+
+def at_rate(belief: Belief, gravity: float) -> str:
+    """The sampling rate at which this were a leg as expected: m l g / J [1/s^2] goes with its
+    square.
+    """
+    assert belief.expected is not None  # else no leg is unlike it
+    length, scatter = length_of(belief.expected)
+    times = float(np.sqrt(GRAVITY / gravity / length))
+    return f"a sampling rate {times:.2f} ± {times * scatter / 2:.2f} times the one they have"
 
 
 def unlike_anatomy(belief: Belief, gravity: float, error: float = 0.0) -> list[str]:
