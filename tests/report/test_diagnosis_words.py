@@ -154,3 +154,13 @@ def test_a_formula_says_from_when_its_time_counts_where_it_has_one():
     told = sentences(replace(one, formula=fading))["Missing"]
     assert "t in s from a segment's first fitted sample on" in told
     assert "t in s" not in sentences(one)["Missing"]
+
+
+@pytest.mark.parametrize("verdict", ["none", "mismatch", "cannot_tell"])
+def test_a_leg_that_hardly_any_body_has_is_told_with_every_verdict(verdict):
+    one = replace(found(), verdict=verdict)
+    assert "The leg" not in sentences(one)
+    heavy = replace(INERTIA, value=0.9, expected=0.45, expected_deviation=0.05)
+    before = replace(one.before, parameters={**one.before.parameters, "inertia": heavy})
+    said = sentences(replace(one, before=before))["The leg"]
+    assert "J = 0.9 kg m^2, 2 times what anatomy expects" in said

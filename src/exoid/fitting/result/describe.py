@@ -40,12 +40,14 @@ from exoid.fitting.result.fit_result import (
 from exoid.fitting.result.limiting_systematics import granted, limiting, suspicions
 from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings
 from exoid.fitting.result.remarks.remarks import limits_met, of_astray, remarks
+from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.fitting.result.remarks.slack_angle import (
     LEANING,
     Leaning,
     left_open,
     slack_angle_remarks,
 )
+from exoid.fitting.result.remarks.zero_remarks import of_far_zeros
 from exoid.fitting.result.untold import without_lost
 from exoid.fitting.solve.ask import around, finite, take
 from exoid.fitting.solve.problem import Problem
@@ -124,6 +126,8 @@ def notes(result: FitResult, basis: Basis, at_bound: set[str], slack: Leaning | 
         *of_astray(result.astray, problem.belief, len(problem.recordings) > 1),
         *of_the_rest(result.segments, ended.disturbance),
         *remarks(problem, ended, at_bound),
+        *of_scale(result.parameters, result.segments),
+        *of_far_zeros(problem, ended),
         *slack_angle_remarks(slack),
         *suspicions(problem, result.mountings, ended.disturbance),
         *limiting({**result.parameters, **result.ratios}),

@@ -25,6 +25,7 @@ SAID = (
     "Remains",
     "Why",
     "Suspected",
+    "The leg",
     "Sensors",
     "Trust",
 )  # others have their place

@@ -1,5 +1,6 @@
 """What a diagnosis says of the numbers of the leg."""
 
+from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.physics.term import name_of
 from exoid.recordings.tables.sheet import listed
@@ -38,6 +39,13 @@ def beside(found: Diagnosis) -> list[str]:
     if not maybe:
         return []
     return [f"Not certain: {listed(maybe)}. The numbers above are what they are with that."]
+
+
+def doubted(found: Diagnosis) -> list[str]:
+    """Why no number of the leg is to be used, or those in N m are not."""
+    lost = found.verdict == "mismatch" and found.changed and not found.fit.follows
+    useless = [NO_LEG] if lost and found.formula is None else []
+    return [*useless, *of_scale(found.fit.parameters, found.fit.segments)]
 
 
 def booked(found: Diagnosis) -> str:

@@ -5,7 +5,7 @@ from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.report.words.diagnosis.asserted import only_sensors, parted
 from exoid.report.words.diagnosis.cause import explanations, for_inertia, named, parameter
 from exoid.report.words.diagnosis.certainty import how_sure, suspected, trust
-from exoid.report.words.diagnosis.leg import NO_LEG, booked
+from exoid.report.words.diagnosis.leg import booked, doubted
 from exoid.report.words.diagnosis.remainder import remains
 
 BY_SENSORS = "encoder and gyro show it of each other, without any leg model."
@@ -22,8 +22,6 @@ def sentences(found: Diagnosis) -> dict[str, str]:
         lines["Changed"] = booked(found)
         lines["Remains"] = remains(found)
         lines["Reason"] = " ".join(explanations(found))
-        if found.changed and not found.fit.follows and found.formula is None:
-            lines["The leg"] = NO_LEG
     elif found.reasons:
         lines["Why"] = "; ".join(found.reasons) + "."
         if found.changed:
@@ -31,6 +29,7 @@ def sentences(found: Diagnosis) -> dict[str, str]:
             lines["Remains"] = remains(found)
     if parted(found):
         lines["Where"] = where(found)
+    lines["The leg"] = " ".join(doubted(found))
     lines["Sensors"] = sensors(found)
     if found.verdict == "none":
         lines["Trust"] = trust(found)

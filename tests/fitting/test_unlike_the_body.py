@@ -1,0 +1,144 @@
+"""What a fit says where a recording contradicts its body, its zero or its added mass."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from exoid.fitting.estimate import fit
+from exoid.fitting.misfit.uncertainty import Shares
+from exoid.fitting.model.prior_and_limits import believe
+from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.remarks.added_mass_remarks import same_swing
+from exoid.fitting.result.remarks.anatomy_remarks import at_rate, length_of
+from exoid.fitting.result.remarks.scale_remarks import POUND, away, of_scale
+from exoid.physics.leg import GRAVITY
+from exoid.recordings.recording import Recording
+from fit_cases import BODY, DROP, LOADED, recorded
+
+BY_DATA, BY_PRIOR = Shares(1.0, 0.0, 0.0), Shares(0.0, 1.0, 0.0)
+INERTIA = Estimate("J", "inertia", "kg m^2", 0.38, 0.005, 0.38, 0.045, shares=BY_DATA)
+MASS = Estimate("m", "mass", "kg", 4.3, 0.3, 4.3, 0.32, shares=BY_PRIOR)
+LOAD = SimpleNamespace(kind="passive", added_mass=3.3)
+BARE = SimpleNamespace(kind="passive", added_mass=0.0)
+DRIVEN = SimpleNamespace(kind="measured", added_mass=0.0)
+
+
+def said(inertia=INERTIA, *segments, mass=MASS) -> str:
+    return " ".join(of_scale({"mass": mass, "inertia": inertia}, segments or (BARE, LOAD)))
+
+
+def times(factor: float, of: Estimate = INERTIA) -> Estimate:
+    assert of.value is not None
+    return replace(of, value=factor * of.value)
+
+
+@pytest.mark.parametrize(
+    ("factor", "strange"), [(0.6, True), (0.8, False), (1.4, False), (2.2, True)]
+)
+def test_an_inertia_that_hardly_any_leg_of_this_body_has_is_told(factor, strange):
+    """Legs of one body scatter by 12 % in J, as a logarithm: a factor of 1.48 at one in 1000."""
+    assert bool(said(times(factor))) == strange
+
+
+def test_it_says_how_far_and_what_sets_it():
+    words = said(times(2.2))
+    expected = np.log(2.2) / np.hypot(0.045 / 0.38, 0.005 / (2.2 * 0.38))
+    assert f"which is {expected:.2g} standard deviations of its logarithm" in words
+    assert "Check the added mass (3.3 kg) and its distance, body mass and height" in words
+    assert "unit and gain of the measured torque, body mass" in said(times(2.2), DRIVEN)
+
+
+def test_pounds_are_asked_for_only_where_they_bring_the_leg_back():
+    words = said(times(2.2))
+    assert "Is 3.3 kg in pounds? 1.5 kg would give J = 0.379 kg m^2." in words
+    assert "pounds" not in said(times(1.6))  # 0.73 of what is expected then
+    assert "pounds" not in said(times(0.45))
+    assert "pounds" not in said(times(2.2), DRIVEN)
+    assert "pounds" not in said(times(2.2), LOAD, replace_mass(LOAD, 2.0))
+
+
+def replace_mass(each: SimpleNamespace, mass: float) -> SimpleNamespace:
+    return SimpleNamespace(**{**vars(each), "added_mass": mass})
+
+
+def test_what_the_recording_alone_does_not_tell_is_not_compared():
+    far = times(2.2)
+    assert said(replace(far, shares=BY_PRIOR)) == said(replace(far, by_hand="fix")) == ""
+    assert said(replace(far, expected=None, expected_deviation=None)) == ""
+    vague = replace(far, standard_error=2.2 * 0.38 / 2)
+    assert away(vague) == pytest.approx(np.log(2.2) / np.hypot(0.045 / 0.38, 0.5))
+    assert said(vague) == ""
+    assert "m = 8.6 kg, 2 times" in said(mass=replace(times(2.0, MASS), shares=BY_DATA))
+
+
+def heavier(recording: Recording, times: float) -> Recording:
+    """With other added masses in its sidecar than were on the leg."""
+    declared: Any = recording.subject.added_mass
+    masses = tuple(times * each for each in declared)
+    return replace(recording, subject=replace(recording.subject, added_mass=masses))
+
+
+def test_a_mass_in_pounds_is_asked_for():
+    right = recorded(DROP, LOADED)
+    wrong = fit(heavier(right, 1 / POUND), multistart=2)
+    (told,) = (note for note in wrong.notes if note.startswith("by this recording J"))
+    assert "Is 2.2 kg in pounds? 1 kg would give J = 0.4" in told
+    assert not any("by this recording J" in note for note in fit(right, multistart=2).notes)
+
+
+@pytest.mark.parametrize("factor", [0.8, 1.0, 1.2])
+def test_the_rate_that_would_explain_a_leg_that_is_none_goes_by_the_root(factor):
+    """Times that are `factor` too long make m l g / J smaller by its square."""
+    belief = believe(BODY)
+    assert belief.expected is not None
+    gravity = GRAVITY / length_of(belief.expected)[0] / factor**2
+    assert f"a sampling rate {factor:.2f} ± " in at_rate(belief, gravity)
+
+
+def test_times_of_another_rate_are_among_what_may_be_wrong():
+    """J / (m l) of this leg is 2 % less than is expected, and 1 % of the rate."""
+    right = recorded(DROP)
+    slow = tuple(
+        replace(each, time=1.15 * each.time, raw_angular_velocity=None) for each in right.segments
+    )
+    found = fit(replace(right, segments=slow), multistart=2)
+    (told,) = (note for note in found.notes if "J / (m l) =" in note)
+    rate = float(told.partition("the times (a sampling rate ")[2].partition(" ")[0])
+    assert rate == pytest.approx(0.99 * 1.15, abs=0.02)
+
+
+def test_a_zero_that_is_far_from_what_was_assumed_is_told():
+    right, tilt = recorded(DROP), np.radians(7.0)
+    turned = tuple(replace(each, raw_angle=each.raw_angle + tilt) for each in right.segments)
+    found = fit(replace(right, segments=turned), multistart=2)
+    (told,) = (note for note in found.notes if "with the knee extended" in note)
+    assert "by this fit the encoder shows 6.9" in told  # what is usual pulls it
+    assert "± 1.2 deg that is assumed" in told
+    assert "angle_zero_deg" in told
+    assert not any("with the knee extended" in note for note in fit(right, multistart=2).notes)
+
+
+def test_a_mass_elsewhere_swings_as_the_pendulum_that_motion_shows():
+    """r + k^2 / r is the same, whichever k is taken for granted."""
+    assert same_swing(0.25, 0.15 * 0.25, 0.0) == pytest.approx(0.4)
+    at = same_swing(0.25, 0.036, 0.05**2)
+    assert at + 0.05**2 / at == pytest.approx(0.25 + 0.036 / 0.25)
+    assert same_swing(0.3, 0.05**2, 0.05**2) == pytest.approx(0.3)
+
+
+@pytest.mark.parametrize("gyration", [0.0, None])
+def test_a_mass_at_another_distance_is_told_by_its_distance(gyration):
+    """Where nobody says how far it extends, that would have to be what nobody has."""
+    right = recorded(DROP, LOADED)  # 1 kg at 0.40 m
+    declared: Any = right.subject.added_mass_distance
+    at = tuple(0.2 if each else each for each in declared)
+    subject = replace(right.subject, added_mass_distance=at, added_mass_gyration=gyration)
+    why = fit(replace(right, subject=subject), multistart=2).astray
+    assert why is not None
+    assert "where 0.2 m is declared" in why
+    assert ("if its radius of gyration is the usual 0.05 m" in why) == (gyration is None)
+    acts = float(why.partition("acts as one at ")[2].partition(" m")[0])
+    assert acts == pytest.approx(0.4, abs=0.02)  # the tape's 5 mm pull it
