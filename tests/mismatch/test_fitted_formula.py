@@ -6,7 +6,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from exoid.mismatch.novel.dictionary import dictionary
-from exoid.mismatch.novel.formula import Formula, fitted_words, term_of
+from exoid.mismatch.novel.formula import Formula, fitted_formula, term_of
 from exoid.physics.sensing.gyro_scale import GyroScale
 
 
@@ -16,5 +16,7 @@ def test_a_formula_is_found_behind_the_errors_of_sensors():
     made: Any = term_of(formula)
     fitted = made(jnp.asarray(0.4), *map(jnp.asarray, formula.values[1:]))
     gyro: Any = GyroScale
-    words = fitted_words((gyro(jnp.asarray(0.004)), fitted))
-    assert words.startswith("tau = 0.4 ")
+    own = fitted_formula((gyro(jnp.asarray(0.004)), fitted))
+    assert own.words.startswith("tau = 0.4 ")
+    assert own.over(0.5).startswith("tau / J = 0.8 ")
+    assert own.over(0.5).endswith(" rad/s^2")

@@ -9,9 +9,10 @@ from diagnosis_by_hand import found, novel
 
 from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.result.fit_result import Estimate
-from exoid.mismatch.answer.diagnosis import Finding, Parameter
+from exoid.mismatch.answer.diagnosis import Booked, Finding, NovelTorque, Parameter, Suspect
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
+from exoid.report.tables.diagnosis import suspects
 from exoid.report.words.diagnosis.cause import parameter
 from exoid.report.words.diagnosis.leg import beside
 from exoid.report.words.diagnosis.sentences import sentences
@@ -65,7 +66,8 @@ UNTOLD = Estimate("J", "inertia", "kg m^2", None, None)
 @pytest.mark.parametrize(
     ("known", "said"),
     [
-        (UNTOLD, " (for J = 0.38 kg m^2, which is a guess: torques grow with it). Over"),
+        (UNTOLD, "0.26 rad/s^2 towards extension are missing at -10 to 5 deg, extending"),
+        (UNTOLD, "(segment leg 0, 0.10-0.21 s) (torques over J, which nothing tells). Over"),
         (BY_PRIOR, " (for J = 0.38 kg m^2, which the prior sets: torques grow with it). Over"),
         (BY_BOTH, " (for J = 0.38 kg m^2, to which the prior adds: torques grow with it). Over"),
         (BY_HAND, " (for J = 0.38 kg m^2, which you fixed: torques grow with it). Over"),
@@ -164,3 +166,68 @@ def test_a_leg_that_hardly_any_body_has_is_told_with_every_verdict(verdict):
     before = replace(one.before, parameters={**one.before.parameters, "inertia": heavy})
     said = sentences(replace(one, before=before))["The leg"]
     assert "J = 0.9 kg m^2, 2 times what anatomy expects" in said
+
+
+def with_inertia(known, **more):
+    """A diagnosis of which the fits know that of J."""
+    one = found()
+    fit = replace(one.before, parameters={**one.before.parameters, "inertia": known})
+    return replace(one, before=fit, **more)
+
+
+RATIO = Booked("damping_over_inertia", 1.06, 1.05, "1/s")
+NUMBERS = [
+    Booked("gravity_over_inertia", 18.2, 27.6, "1/s^2"),
+    RATIO,
+    Booked("damping", 0.862, 0.39, "N m s/rad"),
+]
+
+
+@pytest.mark.parametrize("known", [BY_PRIOR, BY_BOTH, UNTOLD])
+def test_what_changed_is_told_over_an_inertia_that_each_model_takes_from_tables(known):
+    """Else damping fell by half because another J was expected."""
+    one = with_inertia(known, booked=NUMBERS)
+    assert sentences(one)["Changed"] == "m l g / J 18.2 -> 27.6 1/s^2."
+    same = with_inertia(known, booked=[RATIO, *NUMBERS[2:]])
+    assert sentences(same)["Changed"] == "nothing: d / J changed by less than 1 %."
+
+
+@pytest.mark.parametrize("known", [INERTIA, BY_HAND])
+def test_what_changed_is_told_of_the_leg_where_its_inertia_is_known(known):
+    one = with_inertia(known, booked=NUMBERS)
+    assert sentences(one)["Changed"] == "damping 0.862 -> 0.39 N m s/rad."
+    old = with_inertia(BY_PRIOR, booked=NUMBERS[2:])  # of a file without ratios
+    assert sentences(old)["Changed"] == "damping 0.862 -> 0.39 N m s/rad."
+
+
+def test_no_number_of_a_guessed_inertia_is_in_any_word_or_table():
+    suspect = Suspect(["x"], [Booked("inertia", 0.45, 0.46, "kg m^2"), *NUMBERS])
+    one = with_inertia(UNTOLD, booked=NUMBERS, suspected=[suspect])
+    assert suspects(one).rows == [
+        ("gravity / J", "18.2", "27.6", "1/s^2"),
+        ("damping / J", "1.06", "1.05", "1/s"),
+    ]
+    assert [row[0] for row in suspects(with_inertia(INERTIA, suspected=[suspect])).rows] == [
+        "inertia",
+        "gravity / J",
+        "damping / J",
+        "damping",
+    ]
+    assert "level / J 0.2222 ± 0.0044 1/s^2" in sentences(one)["Missing"]  # 0.1 N m / 0.45 kg m^2
+    assert not any("N m" in line or "kg m^2" in line for line in sentences(one).values())
+
+
+def test_a_formula_is_over_an_inertia_that_nobody_knows():
+    torque = NovelTorque(
+        "tau = 0.2 sin(8 x) N m", 0.97, 0.3, None, "tau / J = 0.4 sin(8 x) rad/s^2"
+    )
+    one = replace(novel(), formula=torque)
+    guess = replace(one, before=with_inertia(UNTOLD).before)
+    assert "tau / J = 0.4 sin(8 x) rad/s^2 (x in rad, v in rad/s)" in sentences(guess)["Missing"]
+    assert "tau = 0.2 sin(8 x) N m (x in rad, v in rad/s; for J" in sentences(one)["Missing"]
+
+
+def test_a_notebook_shows_a_torque_over_an_inertia_that_nobody_knows():
+    assert "coulomb_friction.level / J = 0.2222 ± 0.0044 1/s^2" in repr(with_inertia(UNTOLD))
+    assert "coulomb_friction.level = 0.1 ± 0.002 N m" in repr(found())
+    assert "1/s^2" in with_inertia(UNTOLD)._repr_html_()

@@ -19,7 +19,14 @@ from exoid.report.pictures.determined import shares_of, show_parameters
 from exoid.report.pictures.drops import drop_of
 from exoid.report.pictures.mismatch.causes import causes_of, show_causes
 from exoid.report.pictures.mismatch.proof import proof_of
-from exoid.report.pictures.mismatch.torque import parting_of, plane_of, show_torque, torque_of
+from exoid.report.pictures.mismatch.torque import (
+    called_in,
+    parting_of,
+    plane_of,
+    show_plane,
+    show_torque,
+    torque_of,
+)
 from exoid.report.pictures.motion import motion_of
 from exoid.report.pictures.panel import (
     Band,
@@ -254,6 +261,24 @@ def test_nothing_is_strongest_where_nothing_is_missing(verdict, strongest):
     assert roles.count(Role.STRONGEST) == strongest
     assert bool(spots) == bool(strongest)
     assert ("Amber" in show_torque(parting_of(one), 0).caption) == bool(strongest)
+
+
+def test_torques_are_over_an_inertia_that_nobody_knows():
+    one = found()
+    inertia = replace(one.before.parameters["inertia"], value=None)
+    before = replace(one.before, parameters={**one.before.parameters, "inertia": inertia})
+    guess = replace(one, before=before)
+    panel = torque_of(parting_of(guess), 0, called_in(guess))
+    told = torque_of(parting_of(one), 0, called_in(one))
+    assert (panel.up.title, panel.up.unit) == ("missing torque / J", "rad/s^2")
+    assert (told.up.title, told.up.unit) == ("missing torque", "N m")
+    for over, each in zip(panel.marks, told.marks, strict=True):
+        if isinstance(each, Line):
+            assert isinstance(over, Line)
+            assert over.y == pytest.approx(each.y / one.inertia)
+    shown = parting_of(guess), called_in(guess)
+    words = [show_torque(shown[0], 0, shown[1]), show_plane(*shown)]
+    assert not any("N m" in each.alt + each.caption for each in words)
 
 
 @pytest.mark.parametrize(("verdict", "chosen"), [("mismatch", 1), ("cannot_tell", 0), ("none", 0)])

@@ -22,7 +22,7 @@ from exoid.mismatch.conclude.rivals import (
     with_rivals,
     words,
 )
-from exoid.mismatch.novel.formula import fitted_words
+from exoid.mismatch.novel.formula import fitted_formula
 from exoid.mismatch.screen.effect import named as named_values
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.search.found import Workings
@@ -124,7 +124,8 @@ def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
     booked, suspected = by_the_fits(found, after)
     more: dict[str, Any] = {"booked": booked, "suspected": suspected}
     if found.formula is not None:
-        more["formula"] = replace(found.formula, words=fitted_words(after.fitted_terms))
+        own = fitted_formula(after.fitted_terms)
+        more["formula"] = replace(found.formula, words=own.words, over_inertia=own.over(inertia))
     return replace(found, after=after, parameters=parameters, inertia=inertia, **more)
 
 

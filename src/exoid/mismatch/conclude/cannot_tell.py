@@ -157,12 +157,15 @@ def unlike_a_leg(belief: Belief, before: Estimate, after: Estimate) -> list[str]
     ]
 
 
-def vague(formula: Formula | None) -> list[str]:
-    """That a formula explains too little of what is missing to be called what the library lacks."""
+def vague(formula: Formula | None, guess: float | None = None) -> list[str]:
+    """That a formula explains too little of what is missing to be called what the library lacks;
+    over J where that is a `guess` [kg m^2].
+    """
     if formula is None or formula.explained >= HALF:
         return []
+    words = formula.words if guess is None else formula.over(guess)
     return [
-        f"no cause explains it, and the formula that comes nearest, {formula.words}, only "
+        f"no cause explains it, and the formula that comes nearest, {words}, only "
         f"{formula.explained:.0%} of the variance of what is missing"
     ]
 

@@ -98,7 +98,11 @@ def concluded(
     left = not explains_it(found, best) or formula
     doubts = []
     if left:
-        doubts = once(prepared, best) or unrelaxed(prepared, best) or vague(formula)
+        doubts = (
+            once(prepared, best)
+            or unrelaxed(prepared, best)
+            or vague(formula, guess_of(result, found, best))
+        )
         doubts = doubts or filtered_away(prepared, formula)
     if verdict == "mismatch" and doubts:
         verdict, reasons = "cannot_tell", doubts
@@ -136,13 +140,20 @@ def concluded(
     )
 
 
+def guess_of(result: FitResult, found: Found, best: Optimum) -> float | None:
+    """The inertia that the search took, where nothing tells one [kg m^2]."""
+    told = result.parameters["inertia"].value is not None
+    return None if told else float(np.exp(leg_of(found, best).log_inertia))
+
+
 def novel_torque(found: Found, formula: Formula, best: Optimum) -> NovelTorque:
     """The formula, and when it acts where one motion has it once."""
     once = None
     if found.prepared.segments == 1:
         angle, velocity = np.asarray(best.motion)[0].T
         once = formula.moment_of(angle, velocity, np.asarray(found.prepared.seen.time)[0])
-    return NovelTorque(formula.words, formula.explained, formula.known, once)
+    over = formula.over(float(np.exp(leg_of(found, best).log_inertia)))
+    return NovelTorque(formula.words, formula.explained, formula.known, once, over)
 
 
 def of_zeros(result: FitResult, prepared: PreparedRecording) -> list[str]:

@@ -113,17 +113,13 @@ def moved(found: Found, before: Optimum, after: Optimum) -> list[Booked]:
     """The ratios that motion tells, without and with a cause, and what goes with the inertia."""
     if found.prepared.rig:
         return booked(found, before, after)
-    one, other = leg_of(found, before), leg_of(found, after)
-    less, more = (float(np.exp(leg.log_inertia)) for leg in (one, other))
-    ratios = [
-        Booked(f"{name}_over_inertia", float(getattr(one, name)), float(getattr(other, name)), unit)
-        for name, unit in (("gravity", "1/s^2"), ("stiffness", "1/s^2"), ("damping", "1/s"))
-    ]
-    return [Booked("inertia", less, more, "kg m^2"), *ratios, *booked(found, before, after)]
+    legs = leg_of(found, before), leg_of(found, after)
+    less, more = (float(np.exp(leg.log_inertia)) for leg in legs)
+    return [Booked("inertia", less, more, "kg m^2"), *booked(found, before, after)]
 
 
 def booked(found: Found, before: Optimum, after: Optimum) -> list[Booked]:
-    """Damping, stiffness and gravity moment without and with what was found.
+    """Ratios, damping, stiffness and gravity moment without and with what was found.
 
     A rig's zero is anywhere, so that its gravity and its stiffness are one restoring moment, and
     nothing tells its inertia: of it only the damping over that.
@@ -135,5 +131,8 @@ def booked(found: Found, before: Optimum, after: Optimum) -> list[Booked]:
         Booked("stiffness", float(one.stiffness * less), float(other.stiffness * more), "N m/rad"),
         Booked("gravity_moment", float(one.gravity * less), float(other.gravity * more), "N m"),
     ]
-    ratio = Booked("damping_over_inertia", float(one.damping), float(other.damping), "1/s")
-    return [ratio] if found.prepared.rig else told
+    ratios = [
+        Booked(f"{name}_over_inertia", float(getattr(one, name)), float(getattr(other, name)), unit)
+        for name, unit in (("gravity", "1/s^2"), ("stiffness", "1/s^2"), ("damping", "1/s"))
+    ]
+    return ratios[-1:] if found.prepared.rig else [*ratios, *told]

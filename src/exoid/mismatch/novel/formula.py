@@ -31,11 +31,19 @@ class Formula:
 
     @property
     def words(self) -> str:
+        return f"tau = {self.sum_for(1.0)} N m"
+
+    def over(self, inertia: float) -> str:
+        """The torque over J in words, of a leg of this inertia [kg m^2]."""
+        return f"tau / J = {self.sum_for(inertia)} rad/s^2"
+
+    def sum_for(self, inertia: float) -> str:
+        """The features with their coefficients over an inertia."""
         parts = [
-            f"{value:+.3g} {feature.words}"
+            f"{value / inertia:+.3g} {feature.words}"
             for value, feature in zip(self.coefficients, self.features, strict=True)
         ]
-        return "tau = " + " ".join(parts).removeprefix("+") + " N m"
+        return " ".join(parts).removeprefix("+")
 
     @property
     def free(self) -> tuple[Feature, ...]:
@@ -117,8 +125,8 @@ def term_of(formula: Formula) -> type[PhysicsTerm]:
     return new_class("Formula", (PhysicsTerm,), {}, lambda namespace: namespace.update(body))
 
 
-def fitted_words(terms: Sequence[Term]) -> str:
+def fitted_formula(terms: Sequence[Term]) -> Formula:
     """The formula among fitted terms, with its own values; errors of sensors may be beside it."""
     (term,) = (each for each in terms if hasattr(type(each), "formula"))
     formula: Formula = type(term).formula  # pyright: ignore[reportAttributeAccessIssue]
-    return formula.at(np.array([*map(float, jax.tree.leaves(term))])).words
+    return formula.at(np.array([*map(float, jax.tree.leaves(term))]))

@@ -7,7 +7,13 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.report.pictures.mismatch.causes import causes_of
 from exoid.report.pictures.mismatch.proof import proof_of
-from exoid.report.pictures.mismatch.torque import parting_of, plane_of, torque_of, worst
+from exoid.report.pictures.mismatch.torque import (
+    called_in,
+    parting_of,
+    plane_of,
+    torque_of,
+    worst,
+)
 from exoid.report.plots.arrange import draw_rows, head
 from exoid.report.plots.draw import draw
 from exoid.report.plots.style import TEXT
@@ -28,7 +34,10 @@ def plot_diagnosis(found: Diagnosis) -> Figure:
         figure = Figure(figsize=(WIDE, TALL), layout=layout)
         parts = figure.subfigures(3, 1, squeeze=False, height_ratios=[1.0, 1.15, 1.0])[:, 0]
         head(parts[0], "Where they part: the torque that Eq. 9 lacks")
-        draw_rows(parts[0], [[torque_of(parting_of(found), number) for number in worst(found)]])
+        draw_rows(
+            parts[0],
+            [[torque_of(parting_of(found), number, called_in(found)) for number in worst(found)]],
+        )
         draw_causes(parts[1], found)
         head(parts[2], proof(found))
         draw_rows(parts[2], [[proof_of(found, number) for number in worst(found)]])
@@ -39,7 +48,7 @@ def plot_diagnosis(found: Diagnosis) -> Figure:
 def draw_causes(figure: SubFigure, found: Diagnosis) -> None:
     """Where in the phase plane a torque is missing, and what explains it."""
     plane, bars = figure.subplots(1, 2, width_ratios=[1.0, 1.2])
-    draw(plane, plane_of(found.location))
+    draw(plane, plane_of(parting_of(found), called_in(found)))
     draw(bars, causes_of(found))
     for axes in (plane, bars):
         axes.set_title(axes.get_title(loc="left"), loc="left", fontweight="bold")

@@ -7,6 +7,7 @@ from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.diagnosis.asserted import is_chosen
 from exoid.report.words.diagnosis.leg import beside
+from exoid.report.words.diagnosis.scale import tabled
 from exoid.report.words.diagnosis.sentences import sentences
 from exoid.report.words.diagnosis.verdict import headline
 from exoid.report.words.text import (
@@ -53,14 +54,15 @@ def print_diagnosis(found: Diagnosis, console: Console) -> None:
 
 def suspects(found: Diagnosis) -> Table:
     """A number by Eq. 9 alone, and what each suspected cause would make of it."""
-    first = found.suspected[0].numbers
+    numbers = [tabled(found, each.numbers) for each in found.suspected]
+    first = numbers[0]
     columns: dict[str, Column | list[str]] = {
         "quantity": [quantity_words(one.name) for one in first],
         "Eq. 9 alone": Column([f"{one.before:.3g}" for one in first], head="Eq. 9\nalone"),
     }
-    for each in found.suspected:
+    for each, own in zip(found.suspected, numbers, strict=True):
         name = " + ".join(map(in_words, each.terms))
-        cells = [f"{one.after:.3g}" for one in each.numbers]
+        cells = [f"{one.after:.3g}" for one in own]
         columns[name] = Column(cells, head=name.replace(" ", "\n"))
     columns["unit"] = [shown_unit(one.unit) for one in first]
     title = "What each cause that it may be would make of the leg"

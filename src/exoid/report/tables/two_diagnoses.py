@@ -6,6 +6,7 @@ from typing import Any
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.report.tables.table import Table
+from exoid.report.words.diagnosis.cause import formula_words
 from exoid.report.words.diagnosis.verdict import titles
 from exoid.report.words.text import in_degrees
 
@@ -34,7 +35,8 @@ def side_by_side(sides: list[Diagnosis | None]) -> Table:
 def answers(found: Diagnosis) -> dict[str, str]:
     """What is compared, by its name."""
     before, after = found.proof.before.total, found.proof.after.total
-    known = ", ".join(titles(found)) if found.formula is None else found.formula.words
+    own = found.formula
+    known = ", ".join(titles(found)) if own is None else formula_words(found, own)
     return {
         "verdict": VERDICTS[found.verdict],
         "missing": known or ("nothing that has a name" if found.novel else "-"),

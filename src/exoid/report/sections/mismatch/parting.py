@@ -4,7 +4,14 @@ from collections.abc import Iterator
 
 from exoid.mismatch.evidence.location import Location
 from exoid.report.parts.case import Case
-from exoid.report.pictures.mismatch.torque import parting_of, show_plane, show_torque, worst
+from exoid.report.pictures.mismatch.torque import (
+    Called,
+    called_in,
+    parting_of,
+    show_plane,
+    show_torque,
+    worst,
+)
 from exoid.report.sections.blocks import Block, some
 from exoid.report.sections.section import section
 from exoid.report.tables.table import Table
@@ -24,25 +31,27 @@ def parting(case: Case) -> Iterator[Block]:
     found = case.diagnosis
     if found is None:
         return
-    numbers, location = worst(found), parting_of(found)
+    numbers, location, called = worst(found), parting_of(found), called_in(found)
     yield capital(where(found)) if parted(found) else NOTHING
     every = len(location.missing)
     if len(numbers) < every:
         yield f"Shown are the {len(numbers)} segments in which most is missing, of {every}."
-    yield from some([show_torque(location, number) for number in numbers])
-    yield show_plane(location)
+    yield from some([show_torque(location, number, called) for number in numbers])
+    yield show_plane(location, called)
     if location.regions:
-        yield regions(location)
+        yield regions(location, called)
 
 
-def regions(location: Location) -> Table:
+def regions(location: Location, called: Called) -> Table:
     """The stretches where it is strongest."""
     each = location.regions
     columns = {
         "segment": [one.segment for one in each],
         "from [s]": [f"{one.begin:.2f}" for one in each],
         "to [s]": [f"{one.end:.2f}" for one in each],
-        "mean torque [N m]": [f"{one.torque:+.2g}" for one in each],
+        f"mean {called.noun} [{called.unit}]": [f"{one.torque:+.2g}" for one in each],
         "where": [one.region for one in each],
     }
-    return Table("Where the missing torque is strongest; positive towards extension", columns)
+    return Table(
+        f"Where the missing {called.noun} is strongest; positive towards extension", columns
+    )

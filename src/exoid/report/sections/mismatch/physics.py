@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from markupsafe import Markup
 
 from exoid.mismatch.answer.diagnosis import Parameter
+from exoid.mismatch.answer.over_inertia import parameters_shown
 from exoid.report.parts.case import Case
 from exoid.report.pictures.mismatch.causes import show_causes
 from exoid.report.sections.blocks import Block, element
@@ -38,12 +39,13 @@ def physics(case: Case) -> Iterator[Block]:
     found = case.diagnosis
     if found is None:
         return
+    shown = parameters_shown(found, found.parameters)
     yield element("p", verdict(found), "verdict")
     yield {title: line for title, line in sentences(found).items() if title in SAID}
     for effect in found.findings:
         yield element("h3", effect.title)
         yield EFFECT.format(effect.explanation, effect.reference)
-    yield parameters(found.parameters if found.verdict == "mismatch" else [])
+    yield parameters(shown if found.verdict == "mismatch" else [])
     if found.after is not None:
         yield before_and_after(found.before, found.after)
         for each in beside(found):

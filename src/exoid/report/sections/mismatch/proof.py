@@ -10,6 +10,7 @@ from exoid.report.sections.blocks import Block, some
 from exoid.report.sections.section import section
 from exoid.report.tables.table import Table
 from exoid.report.words.diagnosis.remainder import remains
+from exoid.report.words.diagnosis.scale import tabled
 from exoid.report.words.text import capital, in_degrees
 
 NOTHING = (
@@ -28,7 +29,7 @@ def proof(case: Case) -> Iterator[Block]:
     yield sentence(found)
     yield from some([show_proof(found, number) for number in worst(found)])
     yield predicted(found)
-    yield booked(found.booked if found.changed else [])
+    yield booked(tabled(found, found.booked) if found.changed else [])
 
 
 def sentence(found: Diagnosis) -> str:
@@ -63,4 +64,4 @@ def booked(each: list[Booked]) -> Table:
         "with it": [f"{one.after:.3g}" for one in each],
         "unit": [one.unit for one in each],
     }
-    return Table("What the model without it had booked it as, for the inertia it took", columns)
+    return Table("What the model without it had booked it as", columns)

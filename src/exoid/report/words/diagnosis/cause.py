@@ -6,6 +6,7 @@ from math import degrees
 from exoid.fitting.model.term_parameters import RATIO_UNITS, parameters_of
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, NovelTorque, Parameter
+from exoid.mismatch.answer.over_inertia import guessed, parameters_shown
 from exoid.mismatch.sensors.agreement import SensorError
 from exoid.physics.library import library
 from exoid.physics.parameter import AT_AN_END
@@ -22,21 +23,32 @@ ORIGINS = {  # of an inertia that the motion does not tell alone
 def named(found: Diagnosis) -> list[str]:
     """Every effect with its parameters."""
     if found.formula is not None:
-        own, share = found.formula, f"{found.formula.explained:.0%}"
-        clock = ", t in s from a segment's first fitted sample on" if "t" in arguments(own) else ""
-        units = f"x in rad, v in rad/s{clock}; {for_inertia(found.inertia, found.fit)}"
-        if own.explained < WHOLE:
-            said = f"a torque that is no short formula; {own.words} ({units})"
-            return [f"{said} explains only {share} of its variance{at_once(own)}"]
-        said = f"{own.words} ({units}), which explains {share} of the missing torque's variance"
-        return [f"{said}{at_once(own)}"]
+        return [in_formula(found, found.formula)]
     lines = []
     for one in found.findings:
-        own = [each for each in found.parameters if each.name.startswith(f"{one.name}.")]
-        if found.after is not None and found.after.parameters["inertia"].value is None:
-            own = [over_inertia(each, found.after) for each in own]
+        each = [each for each in found.parameters if each.name.startswith(f"{one.name}.")]
+        own = parameters_shown(found, each)
         lines.append(f"{one.title}, {', '.join(map(parameter, own))}{scale(found, own)}")
     return lines
+
+
+def in_formula(found: Diagnosis, own: NovelTorque) -> str:
+    """A formula with its units, and how much it explains."""
+    share, words = f"{own.explained:.0%}", formula_words(found, own)
+    clock = ", t in s from a segment's first fitted sample on" if "t" in arguments(own) else ""
+    units = f"x in rad, v in rad/s{clock}"
+    if words == own.words:
+        units = f"{units}; {for_inertia(found.inertia, found.fit)}"
+    if own.explained < WHOLE:
+        said = f"a torque that is no short formula; {words} ({units})"
+        return f"{said} explains only {share} of its variance{at_once(own)}"
+    said = f"{words} ({units}), which explains {share} of the missing torque's variance"
+    return f"{said}{at_once(own)}"
+
+
+def formula_words(found: Diagnosis, own: NovelTorque) -> str:
+    """The formula, over J where nothing tells that; a file of old has it only in N m."""
+    return (guessed(found.fit) and own.over_inertia) or own.words
 
 
 def arguments(formula: NovelTorque) -> set[str]:
@@ -53,14 +65,6 @@ def at_once(formula: NovelTorque) -> str:
         f". Nearly all of it acts once, from {first:.2f} to {last:.2f} s: whether that goes with "
         "the place or with the moment, as a touch does, one passage cannot tell"
     )
-
-
-def over_inertia(each: Parameter, after: FitResult) -> Parameter:
-    """The ratio in place of a torque, where nothing tells the inertia that it goes with."""
-    ratio = after.of_terms.get(f"{each.name}_over_inertia")
-    if ratio is None or ratio.value is None:
-        return each
-    return Parameter(f"{each.name} / J", ratio.value, ratio.unit, ratio.standard_error)
 
 
 def scale(found: Diagnosis, parameters: list[Parameter]) -> str:

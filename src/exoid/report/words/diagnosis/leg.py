@@ -1,9 +1,10 @@
 """What a diagnosis says of the numbers of the leg."""
 
 from exoid.fitting.result.remarks.scale_remarks import of_scale
-from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.mismatch.answer.diagnosis import Booked, Diagnosis
 from exoid.physics.term import name_of
 from exoid.recordings.tables.sheet import listed
+from exoid.report.words.diagnosis.scale import compared
 from exoid.report.words.text import in_words, quantity_words
 
 SEEN = 0.01  # share of a number, from which on its change is worth a word
@@ -11,6 +12,8 @@ USUAL = {  # of a leg, in their units
     "damping": 0.3,
     "stiffness": 2.5,
     "gravity_moment": 12.0,
+    "gravity_over_inertia": 27.0,
+    "stiffness_over_inertia": 6.0,
     "damping_over_inertia": 0.7,
 }
 NO_LEG = (
@@ -49,15 +52,23 @@ def doubted(found: Diagnosis) -> list[str]:
 
 
 def booked(found: Diagnosis) -> str:
-    """What the baseline had made of it: whatever changes by more than a percent."""
+    """What the baseline had made of it: whatever changes by more than a percent. Ratios, where J
+    is from tables: each model takes another one.
+    """
+    numbers = compared(found, found.booked)
     changes = [
-        f"{quantity_words(each.name)} {each.before:.3g} -> {each.after:.3g} {each.unit}"
-        for each in found.booked
+        f"{named(found, each)} {each.before:.3g} -> {each.after:.3g} {each.unit}"
+        for each in numbers
         if abs(each.after - each.before)
         > SEEN * max(abs(each.before), abs(each.after), USUAL[each.name])
     ]
     if not changes:
-        stay = ", ".join(quantity_words(each.name) for each in found.booked)
+        stay = ", ".join(named(found, each) for each in numbers)
         return f"nothing: {stay} changed by less than 1 %."
-    scale = " (for the inertia that the fit took)" if "N m" in found.booked[0].unit else ""
-    return f"{', '.join(changes)}{scale}."
+    return f"{', '.join(changes)}."
+
+
+def named(found: Diagnosis, each: Booked) -> str:
+    """A ratio by its symbol, a number of the leg in words."""
+    ratio = found.before.ratios.get(each.name)
+    return quantity_words(each.name) if ratio is None else ratio.symbol

@@ -2,11 +2,13 @@
 
 from exoid.fitting.result.remarks.noise_remarks import times_off
 from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.mismatch.answer.over_inertia import guessed
 from exoid.report.words.diagnosis.asserted import only_sensors, parted
 from exoid.report.words.diagnosis.cause import explanations, for_inertia, named, parameter
 from exoid.report.words.diagnosis.certainty import how_sure, suspected, trust
 from exoid.report.words.diagnosis.leg import booked, doubted
 from exoid.report.words.diagnosis.remainder import remains
+from exoid.report.words.diagnosis.scale import located
 
 BY_SENSORS = "encoder and gyro show it of each other, without any leg model."
 
@@ -39,13 +41,16 @@ def sentences(found: Diagnosis) -> dict[str, str]:
 
 
 def where(found: Diagnosis) -> str:
+    place = located(found)
     regions = [f"{each.description} (segment {each.segment}, {each.begin:.2f}-{each.end:.2f} s)"
-               for each in found.location.regions[:3]]  # fmt: skip
+               for each in place.regions[:3]]  # fmt: skip
     if not regions:
         return "no torque stands out of the noise: the sensors differ, or it is spread thinly."
-    said = for_inertia(found.location.inertia or found.inertia, found.before)
+    said = for_inertia(place.inertia or found.inertia, found.before)
     scale = f" ({said})" if "," in said else ""
-    return f"{'; '.join(regions)}{scale}. Over all of it, {found.location.pattern}."
+    if guessed(found.before):
+        scale = " (torques over J, which nothing tells)"
+    return f"{'; '.join(regions)}{scale}. Over all of it, {place.pattern}."
 
 
 def sensors(found: Diagnosis) -> str:
