@@ -14,7 +14,8 @@ from exoid.interchange.formats.osim import osim
 from exoid.interchange.formats.python import python
 from exoid.interchange.formats.urdf import urdf
 from exoid.interchange.model.gather import gather
-from exoid.interchange.model.joint import Exported, Joint
+from exoid.interchange.model.joint import Exported, Joint, Kept
+from exoid.interchange.model.numbers import effects_not_found
 from exoid.mismatch.answer.diagnosis import Diagnosis
 
 FORMATS: dict[str, Callable[[Joint], Exported]] = {
@@ -85,7 +86,18 @@ def export(
         joint = gather(result, segment)
         made = FORMATS[form](joint)
     said = *cautions(found, result), *seat(joint)
-    return replace(made, warnings=(*said, *made.warnings))
+    return replace(made, kept=with_limits(made.kept, result), warnings=(*said, *made.warnings))
+
+
+def with_limits(kept: tuple[Kept, ...], result: FitResult) -> tuple[Kept, ...]:
+    """What became of each thing; how large an effect may be that the recording does not show."""
+    none = {name: each.of_leg for name, each in effects_not_found(result).items()}
+    return tuple(
+        replace(each, how="none found", where=f"{each.where}: {none[each.what]}")
+        if each.what in none
+        else each
+        for each in kept
+    )
 
 
 def doubts(found: FitResult | Diagnosis, result: FitResult) -> Iterator[str]:

@@ -6,6 +6,7 @@ import numpy as np
 from jaxtyping import Float
 
 from exoid.fitting.result.fit_result import Estimate
+from exoid.trust.not_found import Limit
 
 MIRRORED = 0.05  # odd part over the whole, below which a motion counts as its own mirror image
 
@@ -52,3 +53,4 @@ class Identifiability:
     reversals: list[Reversal]  # every segment against its mirror image in time
     sentences: list[str]  # the strangers first
     strangers: list[str] = field(default_factory=list)  # recordings that cannot be of one leg
+    not_found: list[Limit] = field(default_factory=list)  # effects that the recording lacks

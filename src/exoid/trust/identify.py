@@ -17,6 +17,7 @@ from exoid.fitting.solve.ask import take
 from exoid.trust.directions import listed, null_directions, weak_directions
 from exoid.trust.identifiability import Identifiability, Reversal
 from exoid.trust.legs import strangers
+from exoid.trust.not_found import not_found
 from exoid.trust.reversal import reversals
 
 UNDAMPED = 0.1  # 1/s, d / J below which no relaxed leg lies (0.5 to 1.2 do)
@@ -49,7 +50,10 @@ def identify(result: FitResult) -> Identifiability:
     gradients = {name: absolute[name] / value for name, value in values.items() if value != 0}
     told = combinations(result, absolute, alone)
     exact = null_directions(gradients, alone, symbols)
-    weak = weak_directions(gradients, told, alone, symbols)
+    none = not_found(result)
+    gone = {name for each in none for name in each.names}
+    seen = {name: each for name, each in told.items() if name not in gone}
+    weak = weak_directions(gradients, seen, alone, symbols)
     shares = segment_shares(basis, {name: absolute[name] for name in told}, alone)
     mirrored = reversals(basis.problem.movements)
     names, correlation = correlations(told | dict(named(result)), gradients, basis)
@@ -66,10 +70,12 @@ def identify(result: FitResult) -> Identifiability:
             *apart,
             *(each.words for each in exact),
             *(each.words for each in weak),
+            *(each.words for each in none),
             *scale_remark(basis, "inertia" in told),
             *torque_remarks(basis, shares, mirrored, symbols),
         ],
         apart,
+        none,
     )
 
 

@@ -153,7 +153,7 @@ class Kept:
     """What became of one thing of the model."""
 
     what: str
-    how: str  # exact, approximate, in words
+    how: str  # exact, approximate, in words, none found
     where: str
 
     @property

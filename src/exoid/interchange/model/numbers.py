@@ -11,6 +11,7 @@ from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term, name_of
 from exoid.physics.torque import CycleTorque, Torque
+from exoid.trust.not_found import Limit, is_size, not_found
 
 LEG_RATIOS = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
 DRIVE = ("amplitude", "period", "frequency", "onset")
@@ -58,11 +59,14 @@ def ratio_numbers(result: FitResult, leg: LegParameters) -> Iterable[Number]:
         if each is not None and each.value:
             times = (moment if name == LEG_RATIOS[0] else 1.0) / loaded
             yield as_loaded(number_of(name, each), times)
+    none = {each.names[1]: f"none found, {each.over_inertia}" for each in not_found(result)}
     for term, own in result.terms.items():
         for name, each in own.items():
             over = name.endswith("_over_inertia")
             if each.value and (over or name.endswith("_times_inertia")):
                 number = number_of(f"{term}_{name}", each)
+                if f"{term}.{name}" in none:
+                    number = replace(number, by=none[f"{term}.{name}"])
                 yield as_loaded(number, 1 / loaded if over else loaded)
 
 
@@ -74,10 +78,27 @@ def as_loaded(each: Number, times: float) -> Number:
 
 def term_numbers(term: Term, result: FitResult) -> tuple[Number, ...]:
     found, name = result.terms[name_of(type(term))], called(type(term))
-    return tuple(
-        number_of(f"{name}_{field}", found[field], float(getattr(term, field)))
-        for field, _ in declarations(type(term))
-    )
+    none = {each.names[0]: f"none found, {each.of_leg}" for each in not_found(result)}
+
+    def number(field: str) -> Number:
+        own = number_of(f"{name}_{field}", found[field], float(getattr(term, field)))
+        said = none.get(f"{name_of(type(term))}.{field}")
+        return own if said is None else replace(own, by=said)
+
+    return tuple(number(field) for field, _ in declarations(type(term)))
+
+
+def effects_not_found(result: FitResult) -> dict[str, Limit]:
+    """By what an exported file calls their terms, those of which the recording shows nothing at
+    all.
+    """
+    none = {each.names[0]: each for each in not_found(result)}
+    found = {}
+    for term in map(type, result.fitted_terms):
+        sizes = [f"{name_of(term)}.{name}" for name, one in declarations(term) if is_size(one)]
+        if sizes and all(each in none for each in sizes):
+            found[called(term)] = none[sizes[0]]
+    return found
 
 
 def drive_numbers(drive: Torque, each: SegmentFit) -> tuple[Number, ...]:

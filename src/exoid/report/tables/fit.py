@@ -46,7 +46,9 @@ def print_fit(result: FitResult, console: Console, told: Identifiability | None 
     if result.mountings:
         print_table(mountings(result), console)
     if told is not None:
-        alone = ", ".join(each.symbol for each in told.combinations.values())
+        gone = {name for each in told.not_found for name in each.names}
+        seen = [each.symbol for name, each in told.combinations.items() if name not in gone]
+        alone = ", ".join(seen)
         first = f"by itself, without prior and bounds: {alone or 'nothing'}."
         more = [each for each in told.sentences if each not in strangers]
         note(console, [first, *more], "What the recording tells")

@@ -1,0 +1,87 @@
+"""Effects that a model has and its recording does not show: how large they may be."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from scipy.special import ndtr, ndtri
+
+from exoid.fitting.model.term_parameters import ratio_name
+from exoid.fitting.result.fit_result import Estimate, FitResult
+from exoid.physics.parameter import Declaration, declarations
+from exoid.physics.term import Term, name_of
+
+NEAR = 2.0  # standard errors from 0, within which an effect may as well be none
+SURE = 0.95  # of a limit
+
+
+@dataclass(frozen=True)
+class Limit:
+    """How large an effect may be."""
+
+    names: tuple[str, str]  # of its size and of that over J, as `of_terms` has them
+    title: str
+    symbol: str  # over J
+    unit: str
+    most: float  # over J
+    most_of_leg: float  # of this leg, in the unit of the size
+    unit_of_leg: str
+
+    @property
+    def words(self) -> str:
+        """As a sentence."""
+        return f"no {self.title} found: {self.symbol} is {self.over_inertia}."
+
+    @property
+    def over_inertia(self) -> str:
+        """The limit of the size over J."""
+        return f"below {self.most:.2g} {self.unit} ({100 * SURE:.0f} %)"
+
+    @property
+    def of_leg(self) -> str:
+        """The limit of the size of the leg as it was fitted."""
+        return f"below {self.most_of_leg:.2g} {self.unit_of_leg} ({100 * SURE:.0f} %)"
+
+
+def not_found(result: FitResult) -> list[Limit]:
+    """Every effect whose size over J, which cannot be negative, is 0 within its error."""
+    return [limit for term in result.fitted_terms for limit in of_term(term, result)]
+
+
+def of_term(term: Term, result: FitResult) -> Iterator[Limit]:
+    """Those of one term."""
+    name, own = name_of(type(term)), result.terms.get(name_of(type(term)), {})
+    sizes = [each for each in declarations(type(term)) if is_size(each[1])]
+    for field, declared in sizes:
+        ratio = own.get(ratio_name(field, declared))
+        if ratio is None or own[field].by_hand is not None or not none_of(ratio):
+            continue
+        part = f"{declared.title} of " if len(sizes) > 1 else ""
+        inertia = 1.0 if result.leg is None else float(result.leg.inertia)
+        most, size = upper(ratio), own[field]
+        yield Limit(
+            names=(f"{name}.{field}", f"{name}.{ratio_name(field, declared)}"),
+            title=f"{part}{term.title}",
+            symbol=ratio.symbol,
+            unit=ratio.unit,
+            most=most,
+            most_of_leg=upper(size) if size.value and size.standard_error else most * inertia,
+            unit_of_leg=declared.unit,
+        )
+
+
+def is_size(declared: Declaration) -> bool:
+    """Does it go with J, and is 0 its least?"""
+    return declared.inertia_power > 0 and declared.lower == 0.0
+
+
+def none_of(each: Estimate) -> bool:
+    """Is it 0 within its error?"""
+    if each.value is None or not each.standard_error:
+        return False
+    return each.value < NEAR * each.standard_error
+
+
+def upper(each: Estimate) -> float:
+    """Below which it is with a chance of `SURE`, as of a normal that is cut off at 0."""
+    value, error = each.value or 0.0, each.standard_error or 0.0
+    return value + error * float(ndtri(1 - (1 - SURE) * ndtr(value / error)))
