@@ -4,13 +4,12 @@ from dataclasses import replace
 from typing import Any
 
 from exoid.fitting.model.term_parameters import RATIO_UNITS, parameters_of
-from exoid.fitting.result.fit_result import FitResult
 from exoid.physics.library import library
 
 OVER = "_over_inertia"
 
 
-def guessed(fit: FitResult) -> bool:
+def guessed(fit: Any) -> bool:
     """Does nothing tell the inertia, so that every torque is off by one unknown factor?"""
     return fit.parameters["inertia"].value is None
 
