@@ -6,8 +6,7 @@ from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
 from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.diagnosis.asserted import is_chosen
-from exoid.report.words.diagnosis.leg import beside
-from exoid.report.words.diagnosis.scale import tabled
+from exoid.report.words.diagnosis.leg import beside, tabled
 from exoid.report.words.diagnosis.sentences import sentences
 from exoid.report.words.diagnosis.verdict import headline
 from exoid.report.words.text import (

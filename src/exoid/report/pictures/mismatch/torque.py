@@ -12,7 +12,7 @@ from exoid.report.pictures.motion import TIME
 from exoid.report.pictures.panel import Axis, Band, Cloud, Line, Panel, Picture, Rule
 from exoid.report.pictures.role import Role
 from exoid.report.words.diagnosis.asserted import parted
-from exoid.report.words.diagnosis.scale import located
+from exoid.report.words.diagnosis.located import located
 
 SHOWN = 4  # segments
 CLIPPED = 0.98  # quantile of the torque beyond which colours are the same

@@ -9,8 +9,8 @@ from exoid.report.pictures.mismatch.torque import worst
 from exoid.report.sections.blocks import Block, some
 from exoid.report.sections.section import section
 from exoid.report.tables.table import Table
+from exoid.report.words.diagnosis.leg import tabled
 from exoid.report.words.diagnosis.remainder import remains
-from exoid.report.words.diagnosis.scale import tabled
 from exoid.report.words.text import capital, in_degrees
 
 NOTHING = (

@@ -1,10 +1,11 @@
 """What a diagnosis says of the numbers of the leg."""
 
+from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.mismatch.answer.diagnosis import Booked, Diagnosis
+from exoid.mismatch.answer.over_inertia import OVER
 from exoid.physics.term import name_of
 from exoid.recordings.tables.sheet import listed
-from exoid.report.words.diagnosis.scale import compared
 from exoid.report.words.text import in_words, quantity_words
 
 SEEN = 0.01  # share of a number, from which on its change is worth a word
@@ -49,6 +50,28 @@ def doubted(found: Diagnosis) -> list[str]:
     lost = found.verdict == "mismatch" and found.changed and not found.fit.follows
     useless = [NO_LEG] if lost and found.formula is None else []
     return [*useless, *of_scale(found.fit.parameters, found.fit.segments)]
+
+
+def settled(fit: FitResult) -> bool:
+    """Does the recording tell the inertia, or has the user fixed it? Else it comes from tables, and
+    is another one for each model.
+    """
+    inertia = fit.parameters["inertia"]
+    return inertia.determined_by == "data" or inertia.by_hand == "fix"
+
+
+def compared(found: Diagnosis, numbers: list[Booked]) -> list[Booked]:
+    """Those of two models that differ by what was found: ratios to J where J is not settled."""
+    ratios = [each for each in numbers if each.name.endswith(OVER)]
+    others = [each for each in numbers if each not in ratios]
+    both = settled(found.before) and settled(found.fit)
+    return (others if both else ratios) or numbers  # of an older file there are no ratios
+
+
+def tabled(found: Diagnosis, numbers: list[Booked]) -> list[Booked]:
+    """The same for a table, which has ratios beside all that is settled."""
+    both = settled(found.before) and settled(found.fit)
+    return numbers if both else compared(found, numbers)
 
 
 def booked(found: Diagnosis) -> str:

@@ -7,8 +7,8 @@ from exoid.report.words.diagnosis.asserted import only_sensors, parted
 from exoid.report.words.diagnosis.cause import explanations, for_inertia, named, parameter
 from exoid.report.words.diagnosis.certainty import how_sure, suspected, trust
 from exoid.report.words.diagnosis.leg import booked, doubted
+from exoid.report.words.diagnosis.located import located
 from exoid.report.words.diagnosis.remainder import remains
-from exoid.report.words.diagnosis.scale import located
 
 BY_SENSORS = "encoder and gyro show it of each other, without any leg model."
 
