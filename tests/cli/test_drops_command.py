@@ -1,4 +1,4 @@
-"""`exoid drops`: the table, the figure and the document; what is refused is no failure."""
+"""`exoid drops`: table, figure and document; what is refused is a failure only where all is."""
 
 import json
 
@@ -50,13 +50,14 @@ def test_without_a_path_it_reads_the_example(command):
     assert "a voluntary movement" in " ".join(done.stdout.split())
 
 
-def test_a_record_without_any_drop_is_told_and_is_no_failure(command, folder, tmp_path):
+def test_a_record_without_any_drop_is_told_and_did_not_succeed(command, folder, tmp_path):
     path, figure = tmp_path / "active.csv", tmp_path / "active.pdf"
     path.write_bytes((folder / "cut.csv").read_bytes())
     path.with_suffix(".toml").write_text('[protocol]\nkind = "active"\n')
     done = command("drops", path, "--plot", figure)
-    assert done.returncode == 0
+    assert done.returncode == 1
     assert "a voluntary movement" in " ".join(done.stdout.split())
+    assert "±" not in done.stdout
     assert done.stderr == f"exoid: no segment could be read: {figure} was not drawn.\n"
     assert not figure.exists()
 

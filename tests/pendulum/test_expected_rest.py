@@ -7,6 +7,7 @@ from exoid.pendulum.drops import measure_drops
 from exoid.recordings.landmarks.expected_rest import expected_rest
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import Peak
+from hands import Device, Hand, dropped
 from swings import Oscillator, drop, recorded
 
 
@@ -25,6 +26,26 @@ def test_the_index_of_a_viscous_leg_is_kept_where_its_record_is_cut(decay, lasti
     assert kept.value == pytest.approx(1 + np.exp(-leg.decrement / 2), abs=2e-3)
     assert kept.standard_error is not None
     assert 0.0 < kept.standard_error < 0.2
+
+
+def test_a_leg_that_a_hand_lifted_has_the_index_that_its_free_swings_tell():
+    camera = Device(gyro=None)
+    free, lifted = (dropped(hand=Hand(lift=at), device=camera)[0] for at in (np.inf, 4.0))
+    whole, caught = (measure_drops(each).drops[0].measures for each in (free, lifted))
+    assert "caught" in str(caught["relaxation_index"].reason)
+    kept, cut = caught["expected_relaxation_index"], cut_at(free, 0.7 + 4.0)
+    assert abs(kept.value - whole["expected_relaxation_index"].value) < 2 * kept.standard_error
+    # The same swings of a record that stops there tell nearly the same.
+    assert kept.value == pytest.approx(cut.value, abs=0.01)
+    assert kept.standard_error == pytest.approx(cut.standard_error, rel=0.1)
+
+
+def cut_at(recording, end):
+    """The expected index of the same drop, recorded until then [s]."""
+    (segment,) = recording.segments
+    seen = segment.time < end
+    short = recorded(segment.raw_angle[seen], segment.time[seen])
+    return measure_drops(short).drops[0].measures["expected_relaxation_index"]
 
 
 def test_a_record_that_shows_the_rest_has_the_index_itself():

@@ -73,6 +73,25 @@ def test_every_number_in_the_table_has_its_error_and_unit(four):
     assert amplitude[7] == "deg"
 
 
+def test_drops_from_different_angles_are_averaged_with_a_word():
+    high, low = Oscillator(), Oscillator(amplitude=0.8)  # rad above the rest of -1.2
+
+    def averaged(*legs):
+        each = [drop(leg, noise=NOISE, seed=n).segments[0] for n, leg in enumerate(legs)]
+        return " ".join(printed(measure_drops(Recording(tuple(each)))).split())
+
+    assert "These drops began between -23 and -11 deg" in averaged(high, low)
+    assert "grow with the height of the release" in averaged(high, low)
+    assert "began between" not in averaged(high, high)
+
+
+def test_where_no_drop_is_read_there_is_no_error_to_explain():
+    held = drop(noise=NOISE).segments[0]
+    text = printed(measure_drops(Recording((held,), protocol=Protocol(kind="active"))))
+    assert "a voluntary movement" in text
+    assert "±" not in text
+
+
 def test_one_drop_has_no_average():
     assert "Average" not in printed(measure_drops(drop(lasting=5.0)))
 

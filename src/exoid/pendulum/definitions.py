@@ -11,9 +11,10 @@ over the angle from start to rest. Its normalised form divides by 1.6, a convent
 to Bajd and Vodovnik, J Biomedical Engineering 6, 1984, which was not read. And by definitions of
 exoid's own:
 
-- the expected relaxation index of a record that was cut before rest takes the angle that its swings
-  shrink to, with the band in which dry friction could hold the leg in its error; of others it is
-  the relaxation index: whoever leaves cut records out leaves out the least damped legs;
+- the expected relaxation index of a leg that was caught before rest, or of a record that was cut,
+  takes the angle that its swings shrink to, with the band in which dry friction could hold the leg
+  in its error; of others it is the relaxation index: whoever leaves cut records out leaves out the
+  least damped legs;
 - at rest: within 2 deg of the resting angle, the mean over the last period of the record;
 - a swing: one that turns back by at least 1 deg (and by 8 times the noise of the angle
   smoothed over 0.1 s);
@@ -78,7 +79,7 @@ def relaxation_index(drop: Landmarks, norm: float = 1.0) -> DropReading:
 
 
 def expected_relaxation_index(drop: Landmarks) -> DropReading:
-    """RI, of a record that was cut before rest by the angle that its swings shrink to."""
+    """RI, of a leg that was caught or cut before rest by the angle that its swings shrink to."""
     return index_of(drop, drop.expected_rest, 1.0)
 
 

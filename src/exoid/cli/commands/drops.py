@@ -61,11 +61,12 @@ def drops(
     files = Outputs()
     recorded = list(zip(paths, named, strict=True))
     files.put_document(json, lambda: drops_document(test, **traced(recorded)))
-    if plot is not None and all(each.reason for each in test.drops):
+    read = any(each.reason is None for each in test.drops)
+    if plot is not None and not read:
         say(f"exoid: no segment could be read: {plot} was not drawn.", err=True)
     else:
         files.put(plot, lambda path: draw(test, path), "drawing")
-    files.end()
+    files.end(follows=read)
 
 
 def draw(test, path: Path) -> None:

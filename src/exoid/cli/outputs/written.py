@@ -51,7 +51,9 @@ class Outputs:
             return default
 
     def end(self, follows: bool = True) -> None:
-        """Leave with exit code 1 where a file was not written, or no simulation follows."""
+        """Leave with exit code 1 where a file was not written, or nothing is told: no simulation
+        follows, no drop is read.
+        """
         if self.ours is not None:
             raise self.ours
         if self.failed or not follows:

@@ -1,4 +1,4 @@
-"""Where a leg would have come to rest whose record was cut before."""
+"""Where a leg would have come to rest that was caught before, or whose record was cut."""
 
 from collections.abc import Sequence
 
@@ -22,7 +22,7 @@ def expected_rest(turns: Sequence[Peak]) -> Peak:
     if len(turns) < FEWEST:
         raise NotAllowed(
             f"cut before rest, and of {FEWEST} turns there are {len(turns)}: what swings shrink to "
-            "is not told. Record until the leg hangs still"
+            "is not told. Let it swing, and record, until it hangs still"
         )
     first, middle, last = turns[-FEWEST:]
     before, after = middle.value - first.value, last.value - middle.value

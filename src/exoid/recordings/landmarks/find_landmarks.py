@@ -9,7 +9,7 @@ from exoid.recordings.landmarks.landmarks import Landmarks
 from exoid.recordings.landmarks.local_polynomial import local
 from exoid.recordings.landmarks.measure import Found, NotAllowed
 from exoid.recordings.landmarks.release import Release, find_release
-from exoid.recordings.landmarks.rest import Rest, find_rest
+from exoid.recordings.landmarks.rest import CutBefore, Rest, find_rest
 from exoid.recordings.landmarks.swing import turned, turns
 from exoid.recordings.landmarks.track import FEWEST, HALF, SURE, Peak, Track
 from exoid.recordings.motion.acceleration import Law
@@ -76,7 +76,7 @@ def first_top(track: Track) -> int:
 def rested(track: Track, extent: Extent, turns: list[Peak]) -> Rest:
     """The rest that a drop ends with, where no hand ended it."""
     if extent.ended == "caught":
-        raise NotAllowed(f"caught: {extent.why}. Leave it alone until it hangs still")
+        raise CutBefore(f"caught: {extent.why}. Leave it alone until it hangs still")
     return find_rest(track, turns)
 
 

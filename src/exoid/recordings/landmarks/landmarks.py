@@ -43,7 +43,9 @@ class Landmarks:
 
     @property
     def expected_rest(self) -> Peak:
-        """The angle of rest; of a record that was cut before, the one that its swings shrink to."""
+        """The angle of rest; of a leg that was caught before, or whose record was cut, the
+        one that its swings shrink to.
+        """
         return expected_rest(self.turns) if isinstance(self.rested, CutBefore) else self.rest.angle
 
     def flexion(self, number: int) -> Peak:

@@ -26,7 +26,7 @@ class Rest:
 
 
 class CutBefore(NotAllowed):
-    """The record ends while the leg still swings."""
+    """The record ends, or a hand takes the leg, while it still swings."""
 
 
 def find_rest(track: Track, turns: list[Peak]) -> Rest:

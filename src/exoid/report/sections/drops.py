@@ -8,7 +8,7 @@ from exoid.report.parts.case import Case
 from exoid.report.pictures.drops import show_drop
 from exoid.report.sections.blocks import Block, element, some
 from exoid.report.sections.section import section
-from exoid.report.tables.drops import SOURCE, loaded, mean, unit_of, value
+from exoid.report.tables.drops import SOURCE, loaded, mean, of_mixed_starts, unit_of, value
 from exoid.report.tables.table import Column, Table
 from exoid.report.words.text import by_reason, counted
 
@@ -62,7 +62,8 @@ def average(read: list[Drop], test: PendulumTest) -> str:
     alike = counted(len(read) - len(test.left_out), "drop")
     others = ", ".join(test.left_out)
     without = f", not over those with another added mass (segment {others})" if others else ""
-    return f"The mean and its standard deviation are over {alike}{without}."
+    said = f"The mean and its standard deviation are over {alike}{without}."
+    return " ".join(filter(None, (said, of_mixed_starts(test))))
 
 
 def refused(test: PendulumTest) -> list[str]:

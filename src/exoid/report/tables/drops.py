@@ -10,6 +10,7 @@ from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.text import by_reason, heading, note, say, shown_unit, with_error
 
 LARGE = 99.5  # of an error, beyond which two digits of it leave no unit
+ALIKE = 5.0  # deg, by which drops that were meant to begin alike differ
 MOST = 40  # drops with a table of their own
 SOURCE = (
     "Names after Rahimi et al., BioMedical Engineering OnLine 19:82, 2020; formulas in "
@@ -29,6 +30,12 @@ def print_drops(test: PendulumTest, console: Console) -> None:
     refused = by_reason((drop.name, drop.reason) for drop in test.drops)
     said = [f"{', '.join(names)}: {reason.rstrip('.')}." for reason, names in refused.items()]
     note(console, said, "Segments that were not read")
+    if read:
+        explain(test, console)
+
+
+def explain(test: PendulumTest, console: Console) -> None:
+    """What the numbers hold, and where they are from."""
     heading(console, "About these numbers")
     for reason, names in by_reason((drop.name, drop.note) for drop in test.drops).items():
         say(console, f"Segment {', '.join(names)}: {reason}.")
@@ -76,6 +83,26 @@ def print_average(test: PendulumTest, console: Console) -> None:
     if test.left_out:
         names = ", ".join(test.left_out)
         say(console, f"Not in it, with another added mass: segment {names}.")
+    if said := of_mixed_starts(test):
+        say(console, said)
+
+
+def of_mixed_starts(test: PendulumTest) -> str | None:
+    """Which means hang on where the drops began; None where they began alike."""
+    if "start_angle" not in test.average:
+        return None
+    alike = test.average["start_angle"].drops
+    read = (drop.measures["start_angle"].value for drop in test.drops if drop.name in alike)
+    starts = [degrees(each) for each in read if each is not None]
+    lowest, highest = min(starts), max(starts)
+    if highest - lowest < ALIKE:
+        return None
+    return (
+        f"These drops began between {lowest:.0f} and {highest:.0f} deg: amplitudes, oscillations, "
+        "time to rest, peak velocities and accelerations grow with the height of the release, and "
+        "scatter with it. Indices, period and decrements hardly do, but where friction or a reflex "
+        "acts."
+    )
 
 
 def value(each: Measure) -> str:
