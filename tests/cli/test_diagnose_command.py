@@ -4,12 +4,16 @@ import json
 import re
 from pathlib import Path
 from subprocess import CompletedProcess
+from types import SimpleNamespace
 from typing import NamedTuple
 
 import numpy as np
 import pytest
 from command_line import refusal
 
+from exoid.cli.commands.diagnose import telling_apart
+from exoid.cli.inputs.again import again
+from exoid.mismatch.answer.diagnosis import Suspect
 from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 
@@ -27,6 +31,17 @@ class Sail(exoid.PhysicsTerm):
     def torque(self, now, memory):
         return -self.size * now.angular_velocity**3
 '''
+
+
+def test_the_command_that_tells_suspects_apart_reads_the_recording_alike():
+    each = [Suspect([name], []) for name in ("backlash", "sail", "saturating_damping")]
+    options = again(flip="all", column=["time_s=My Time"], terms="mine.py", body_mass=72.0)
+    said = telling_apart(SimpleNamespace(suspected=each), [Path("my drops.csv")], options)
+    assert said[0] == (
+        "Which recording tells them apart: exoid plan 'my drops.csv' --between backlash,sail "
+        "--flip all --column 'time_s=My Time' --terms mine.py --body-mass 72.0"
+    )
+    assert telling_apart(SimpleNamespace(suspected=each[:1]), [Path("a.csv")], "") == []
 
 
 def rubbing(angle: float, seed: int) -> Segment:

@@ -5,7 +5,7 @@ from typing import Any
 
 import jax.numpy as jnp
 import pytest
-from diagnosis_by_hand import found, novel
+from diagnosis_by_hand import doubtful, found, novel
 
 from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.result.fit_result import Estimate
@@ -54,6 +54,14 @@ def test_a_cause_that_the_fit_has_and_nobody_claims_is_said_to_be_uncertain():
     (said,) = beside(fitted)
     assert said.startswith("Not certain: gyro scale.")
     assert beside(replace(fitted, equivalent=both[:1])) == beside(one) == []
+
+
+def test_where_nobody_can_tell_suspects_are_those_of_the_table_and_what_remains_is_with_one():
+    each = [Suspect([name], []) for name in ("stretch_reflex", "quadratic_drag")]
+    said = sentences(replace(doubtful(), suspected=each))
+    assert said["Suspected"] == "stretch reflex, quadratic drag."
+    assert " deg with coulomb friction, " in said["Remains"]
+    assert "with" not in sentences(found())["Remains"]  # an answer that has a name has said so
 
 
 INERTIA = Estimate("J", "inertia", "kg m^2", 0.45, 0.01, shares=Shares(1.0, 0.0, 0.0))

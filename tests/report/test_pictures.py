@@ -1,11 +1,13 @@
 """A picture is drawn twice, for print and for a page: both hold its numbers, and no others."""
 
 from dataclasses import replace
-from itertools import chain
+from itertools import chain, pairwise
 
 import numpy as np
 import pytest
 from diagnosis_by_hand import found
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection, PathCollection
 from matplotlib.colors import to_rgba
 from matplotlib.container import BarContainer, ErrorbarContainer
@@ -279,6 +281,22 @@ def test_torques_are_over_an_inertia_that_nobody_knows():
     shown = parting_of(guess), called_in(guess)
     words = [show_torque(shown[0], 0, shown[1]), show_plane(*shown)]
     assert not any("N m" in each.alt + each.caption for each in words)
+
+
+def test_names_of_three_causes_do_not_run_into_each_other():
+    three = ["stretch_reflex", "wobbling_mass", "end_range_stiffening"]
+    one = found()
+    (pair,) = one.pairs
+    both = [replace(pair, terms=[*three[:2], last]) for last in ("polycentric_axis", three[-1])]
+    figure = plot_diagnosis(replace(one, pairs=both))
+    FigureCanvasAgg(figure).draw()
+    (bars,) = (
+        one for one in figure.findobj(Axes) if one.get_title(loc="left") == "what explains it"
+    )
+    boxes = [each.get_window_extent() for each in bars.get_yticklabels()]
+    assert sum(each.get_text().count("\n") == 2 for each in bars.get_yticklabels()) == 2
+    lower = sorted(boxes, key=lambda box: box.y0)
+    assert all(below.y1 <= above.y0 for below, above in pairwise(lower))
 
 
 @pytest.mark.parametrize(("verdict", "chosen"), [("mismatch", 1), ("cannot_tell", 0), ("none", 0)])

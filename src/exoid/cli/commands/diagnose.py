@@ -1,11 +1,13 @@
 """exoid diagnose: where simulation and recording part, and which physics was left out."""
 
 from pathlib import Path
+from shlex import quote
 from typing import Annotated
 
 import typer
 
 from exoid.cli.analysis import ask, diagnosed
+from exoid.cli.inputs.again import again
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
 from exoid.cli.inputs.choices import FlipOption, Seed, ZeroOption
@@ -87,10 +89,9 @@ def diagnose(
     found = in_phases(lambda told: diagnosed(named, own, options, told))
     introduce(named)
     show(lambda console: print_diagnosis(found, console))
-    rivals = rivals_in(found)
-    if len(rivals) > 1:
-        recorded, names = " ".join(map(str, paths)), ",".join(rivals)
-        say(f"Which recording tells them apart: exoid plan {recorded} --between {names}", "")
+    limits = None if bounds == "body" else bounds
+    by_hand = {"prior": prior, "bounds": limits, "fix": fix, "bound": bound}
+    say(*telling_apart(found, paths, again(**told, **body, **by_hand, terms=terms)))
     outputs, files = Outputs(), list(zip(paths, named, strict=True))
     settings = {**options, "terms": terms}
     outputs.put(plot, lambda path: draw(found, path), "drawing")
@@ -115,6 +116,15 @@ def diagnose(
         "writing the page",
     )
     outputs.end(found.follows)
+
+
+def telling_apart(found, paths: list[Path], more: str) -> list[str]:
+    """The command that says which recording tells the suspects apart; nothing of a single one."""
+    rivals = rivals_in(found)
+    if len(rivals) < 2:
+        return []
+    recorded, names = " ".join(quote(str(path)) for path in paths), ",".join(rivals)
+    return [f"Which recording tells them apart: exoid plan {recorded} --between {names}{more}", ""]
 
 
 def draw(found, path: Path) -> None:

@@ -7,10 +7,11 @@ from typing import Annotated
 import typer
 
 from exoid.cli.analysis import compute, prepare
+from exoid.cli.inputs.again import again
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
 from exoid.cli.inputs.choices import FlipOption, Seed, ZeroOption
-from exoid.cli.inputs.reading import Columns, take_all
+from exoid.cli.inputs.reading import Columns, Dbc, Signals, take_all
 from exoid.cli.inputs.terms import (
     Between,
     Model,
@@ -68,6 +69,8 @@ def plan(
     body_mass: BodyMass = None,
     height: Height = None,
     column: Columns = None,
+    dbc: Dbc = None,
+    signal: Signals = None,
     multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Starts of the fit.")] = 64,
     seed: Seed = 0,
     flip: FlipOption = None,
@@ -97,7 +100,8 @@ def plan(
     body = given_body(body_mass=body_mass, height=height)
     from exoid.recordings.recording import Subject
 
-    named, _ = take_all(recordings or [], body, column=column, flip=flip, zero=zero)
+    told = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
+    named, _ = take_all(recordings or [], body, **told)
     subject = named[0][1].subject if named else replace(Subject(kind="leg"), **body)
     options = {"multistart": multistart, "seed": seed, **assumed(prior, bounds, fix, bound)}
     if rivals:
@@ -114,12 +118,7 @@ def plan(
         say(result.notes[0], "")
     from exoid.report.tables.plan import plan_document, print_plan
 
-    again = [
-        ("--terms", terms),
-        *(("--with", each) for each in with_term or []),
-        ("--model", model),
-    ]
-    same = "".join(f" {option} {value}" for option, value in again if value)
+    same = again(terms=terms, **{"with": with_term}, model=model)
     show(lambda console: print_plan(found, console, same))
     files = Outputs()
     files.put_document(json, lambda: plan_document(found, result, subject))

@@ -198,7 +198,7 @@ def rivals_in(found) -> list[str]:
 
     nameless = set(map(name_of, NAMELESS))
     single = [each.terms[0] for each in found.suspected if len(each.terms) == 1]
-    return [name for name in single if name not in nameless]
+    return list(dict.fromkeys(name for name in single if name not in nameless))
 
 
 def valued(name: str, term: type, text: str):

@@ -6,7 +6,7 @@ from dataclasses import replace
 from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.screen.hypothesis import Linear, Optimum
 from exoid.mismatch.screen.optimise import given, strikes
-from exoid.mismatch.search.found import Found
+from exoid.mismatch.search.found import Found, lone_and_joint
 from exoid.mismatch.search.likely import smeared
 from exoid.mismatch.search.race import left_of, raced, simulated
 from exoid.mismatch.search.rank import alike, by_evidence
@@ -22,13 +22,11 @@ def challenged(found: Found) -> Found:
     best = max((found.base, *found.singles, *found.pairs), key=found.evidence)
     rivals = [one.candidate for one in as_near(found, best)[:MOST]]
     more = simulated(found.prepared, rivals, best.square)
-    alone = len(found.prepared.common) + 1
+    singles, pairs = lone_and_joint(found.prepared, more)
 
     def sorted_with(known: list[Optimum], new: list[Optimum]) -> list[Optimum]:
         return by_evidence([*known, *new], found.base, found.yardstick) if new else known
 
-    singles = [one for one in more if len(one.candidate.terms) == alone]
-    pairs = [one for one in more if len(one.candidate.terms) > alone]
     return replace(
         found,
         singles=sorted_with(found.singles, singles),

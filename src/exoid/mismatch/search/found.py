@@ -50,13 +50,23 @@ def size(one: Optimum) -> int:
 
 
 def best_of(settled: list[Optimum]) -> list[Optimum]:
-    """Of all starts of the same terms the best."""
-    best: dict[tuple[type[Term], ...], Optimum] = {}
+    """Of all starts of the same set of terms the best."""
+    best: dict[frozenset[type[Term]], Optimum] = {}
     for one in settled:
-        terms = one.candidate.terms
+        terms = frozenset(one.candidate.terms)
         if terms not in best or not one.square >= best[terms].square:
             best[terms] = one
     return list(best.values())
+
+
+def lone_and_joint(
+    prepared: PreparedRecording, some: list[Optimum]
+) -> tuple[list[Optimum], list[Optimum]]:
+    """Those of one cause beside what the sensors surely say, and those of several."""
+    one = len(prepared.common) + 1
+    several = [len(each.candidate.terms) > one for each in some]
+    lone = [each for each, more in zip(some, several, strict=True) if not more]
+    return lone, [each for each, more in zip(some, several, strict=True) if more]
 
 
 def names(one: Optimum) -> list[str]:

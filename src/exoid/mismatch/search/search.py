@@ -22,7 +22,7 @@ from exoid.mismatch.screen.optimise import (
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.challenge import with_hidden
 from exoid.mismatch.search.exchange import exchanged
-from exoid.mismatch.search.found import Found, best_of, size
+from exoid.mismatch.search.found import Found, best_of, lone_and_joint, size
 from exoid.mismatch.search.glance import beside_free
 from exoid.mismatch.search.likely import likeliest, ordered, shortlist
 from exoid.mismatch.search.pairs import pairs, plainer_pairs, plainer_sets
@@ -181,7 +181,8 @@ def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
     for best in ordered(joint)[:1]:
         plainer = plainer_sets(prepared, usable, best)
         joint += simulated(prepared, plainer, best.square)
-    single = [*found.singles, *reduced(prepared, ordered(joint)[:1])]
+    lone, joint = lone_and_joint(prepared, joint)
+    single = [*found.singles, *lone, *reduced(prepared, ordered(joint)[:1])]
     singles = by_evidence(single, base, found.yardstick)
     singles += nested(prepared, singles, usable)
     measure = yardstick(prepared, least(base, *singles, *joint))

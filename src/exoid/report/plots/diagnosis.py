@@ -1,5 +1,7 @@
 """A diagnosis as one figure: where they part, which cause explains it, before and after."""
 
+from textwrap import fill
+
 from matplotlib import rc_context
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
@@ -17,10 +19,12 @@ from exoid.report.pictures.mismatch.torque import (
 from exoid.report.plots.arrange import draw_rows, head
 from exoid.report.plots.draw import draw
 from exoid.report.plots.style import TEXT
+from exoid.report.words.diagnosis.remainder import by_what
 from exoid.report.words.diagnosis.verdict import verdict
 from exoid.report.words.text import in_degrees
 
 WIDE, TALL = 10.5, 9.4  # inches
+WIDEST = 130  # letters of a heading
 
 
 def plot_diagnosis(found: Diagnosis) -> Figure:
@@ -60,7 +64,9 @@ def proof(found: Diagnosis) -> str:
         in_degrees(each)
         for each in (found.proof.before.total, found.proof.after.total, found.proof.noise_floor)
     )
-    return (
-        f"On held-out data: angle RMSE {before} deg before, {after} deg after, noise floor "
-        f"{floor} deg"
+    now = by_what(found) or " after"
+    return fill(
+        f"On held-out data: angle RMSE {before} deg before, {after} deg{now}, noise floor "
+        f"{floor} deg",
+        WIDEST,
     )

@@ -11,8 +11,8 @@ from exoid.report.words.diagnosis.sentences import sentences
 from exoid.report.words.diagnosis.verdict import headline
 from exoid.report.words.text import (
     capital,
+    causes_in_words,
     heading,
-    in_words,
     note,
     quantity_words,
     say,
@@ -60,7 +60,7 @@ def suspects(found: Diagnosis) -> Table:
         "Eq. 9 alone": Column([f"{one.before:.3g}" for one in first], head="Eq. 9\nalone"),
     }
     for each, own in zip(found.suspected, numbers, strict=True):
-        name = " + ".join(map(in_words, each.terms))
+        name = causes_in_words(each.terms)
         cells = [f"{one.after:.3g}" for one in own]
         columns[name] = Column(cells, head=name.replace(" ", "\n"))
     columns["unit"] = [shown_unit(one.unit) for one in first]
@@ -74,7 +74,7 @@ def candidates(found: Diagnosis) -> Table:
     ran += [] if not found.changed or any(one.chosen for one in ran) else [found.best]
     chosen = ["", *("chosen" if is_chosen(one, found) else "" for one in ran)]
     columns = {
-        "cause": ["baseline, Eq. 9", *(" + ".join(map(in_words, one.terms)) for one in ran)],
+        "cause": ["baseline, Eq. 9", *(causes_in_words(one.terms) for one in ran)],
         "left": [f"{one.mean_square:.2f}" for one in (found.baseline, *ran)],
         "evidence": ["", *(f"{evidence(one):.0f}" for one in ran)],
         "verdict": Column(chosen, head=" "),

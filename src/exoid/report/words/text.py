@@ -50,6 +50,11 @@ def in_words(name: str) -> str:
     return name.replace("_", " ").replace(".", ": ")
 
 
+def causes_in_words(terms: Iterable[str]) -> str:
+    """Causes that act together, as a sentence has them."""
+    return " + ".join(map(in_words, terms))
+
+
 def quantity_words(name: str) -> str:
     """A quantity's name in words."""
     return in_words(name.replace("_over_inertia", " / J"))

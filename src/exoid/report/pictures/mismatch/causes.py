@@ -10,6 +10,7 @@ from exoid.report.pictures.role import Role
 from exoid.report.words.diagnosis.asserted import is_chosen
 
 BAR = 0.53  # size of one
+LINES = 2  # of its name, for which a bar's row has room
 LARGE = 1000.0  # times the noise, from which on three digits would be a power of ten
 NARROWEST = 20.0  # times the noise: at least two powers of ten
 ROOM = 1.3  # times the longest bar on its logarithmic axis, for the number beside it
@@ -48,29 +49,36 @@ def label(one: Tested) -> str:
 def causes_of(found: Diagnosis) -> Panel:
     """The baseline first, then the causes that leave least; on a logarithmic axis."""
     rows = causes(found)
-    chosen = [row for row, each in enumerate(rows) if each.chosen]
-    others = [row for row, each in enumerate(rows) if not each.chosen]
+    size, names = room(rows), [row.name for row in rows]
+    at = np.cumsum(size) - size / 2 - 0.5  # the middle of each
+    chosen = np.array([each.chosen for each in rows])
     most = max(NARROWEST, *(row.left for row in rows))
     limits = LEAST, LEAST * (most / LEAST) ** ROOM
     marks = (
-        bars(Role.CHOSEN_CAUSE, rows, chosen),
-        bars(Role.CAUSE, rows, others),
+        bars(Role.CHOSEN_CAUSE, rows, at, chosen),
+        bars(Role.CAUSE, rows, at, ~chosen),
         Rule(Role.FLOOR, 1.0, upright=True),
     )
     return Panel(
         Axis("mean square left / noise", "-", limits, logarithmic=True),
-        Axis(ticks=tuple((float(at), row.name) for at, row in enumerate(rows)), reversed=True),
+        Axis(ticks=tuple(zip(at.tolist(), names, strict=True)), reversed=True),
         marks,
         "what explains it",
-        BAR * len(rows),
+        BAR * float(size.sum()),
     )
 
 
-def bars(role: Role, rows: list[Cause], numbers: list[int]) -> Bars:
-    """Those of these rows."""
-    lengths = np.array([max(rows[at].left, LEAST) for at in numbers])
-    words = tuple(in_times(rows[at].left) for at in numbers)
-    return Bars(role, np.array(numbers, dtype=float), lengths, words=words)
+def room(rows: list[Cause]) -> np.ndarray:
+    """How many rows each takes: a name of many lines needs more than one."""
+    lines = np.array([1 + row.name.count("\n") for row in rows])
+    return np.maximum(lines / LINES, 1.0)
+
+
+def bars(role: Role, rows: list[Cause], at: np.ndarray, these: np.ndarray) -> Bars:
+    """Those of `these` rows, which stand at these places."""
+    left = [row.left for row, one in zip(rows, these, strict=True) if one]
+    lengths = np.array([max(each, LEAST) for each in left])
+    return Bars(role, at[these], lengths, words=tuple(map(in_times, left)))
 
 
 def show_causes(found: Diagnosis) -> Picture:

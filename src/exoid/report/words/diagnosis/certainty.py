@@ -4,6 +4,7 @@ from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.sensors.agreement import BIAS
 from exoid.physics.library import library
 from exoid.physics.term import name_of
+from exoid.report.words.text import causes_in_words
 
 SUSPECTS = 3  # that are named
 CERTAIN = 0.001  # below this share a chance is written as "below"
@@ -47,9 +48,11 @@ def how_sure(found: Diagnosis) -> str:
 
 
 def suspected(found: Diagnosis) -> str:
-    """What explains most of it, and how much."""
-    first = [one for one in (*found.singles, *found.pairs) if one.terms][:SUSPECTS]
-    return ", ".join(" + ".join(one.terms).replace("_", " ") for one in first) + "."
+    """The causes that it may be, of each of which a table says what it would make of the leg; where
+    none explains most of it, what explains most.
+    """
+    ran = [one for one in (*found.singles, *found.pairs) if one.terms][:SUSPECTS]
+    return ", ".join(causes_in_words(one.terms) for one in found.suspected or ran) + "."
 
 
 def trust(found: Diagnosis) -> str:

@@ -1,7 +1,7 @@
 """What is left on data that the fit has not seen."""
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
-from exoid.report.words.text import in_degrees
+from exoid.report.words.text import causes_in_words, in_degrees
 
 
 def remains(found: Diagnosis) -> str:
@@ -13,9 +13,16 @@ def remains(found: Diagnosis) -> str:
         return f"held-out angle RMSE {after} deg, {times}."
     parts = "quarters of the recording" if shown.in_time else "segments"
     return (
-        f"held-out angle RMSE {before} -> {after} deg, {left_over(found)}{times} "
+        f"held-out angle RMSE {before} -> {after} deg{by_what(found)}, {left_over(found)}{times} "
         f"({shown.better} of {shown.after.squares.size} {parts} better, each from the others)."
     )
+
+
+def by_what(found: Diagnosis) -> str:
+    """Which explanation leaves it, where the answer names none."""
+    if found.verdict == "mismatch" or not found.changed:
+        return ""
+    return f" with {causes_in_words(found.best.terms)}"
 
 
 def left_over(found: Diagnosis) -> str:
