@@ -230,8 +230,8 @@ def told_by_kind(problem: Problem, ended: SearchResult) -> dict[str, np.ndarray]
 def segment_fit(basis: Basis, number: int, torque: Estimate | None) -> SegmentFit:
     """Measured against simulated, at the samples that were fitted."""
     best, each = basis.ended.best, basis.problem.movements[number]
-    rows = basis.problem.own_rows(number)
-    angle, velocity = best.angle[0, number][rows], best.angular_velocity[0, number][rows]
+    angle = simulated(basis.problem, best.angle, number)
+    velocity = simulated(basis.problem, best.angular_velocity, number)
     gyro = each.angular_velocity
     return SegmentFit(
         name=each.name,
@@ -251,6 +251,14 @@ def segment_fit(basis: Basis, number: int, torque: Estimate | None) -> SegmentFi
         begins=each.segment.begins,
         conditions=find_conditions(basis.problem, basis.ended, number),
     )
+
+
+def simulated(problem: Problem, table: np.ndarray, number: int) -> np.ndarray:
+    """What a `table` (start, segment, step) has of the first start at the samples of a segment; nan
+    after the last that counts in any, where the simulation ends.
+    """
+    rows = problem.own_rows(number)
+    return np.where(rows <= problem.steps, table[0, number][rows], np.nan)
 
 
 def root_mean_square(samples: np.ndarray) -> float:

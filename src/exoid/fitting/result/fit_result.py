@@ -63,7 +63,10 @@ class Estimate:
 
 @dataclass(frozen=True, eq=False)
 class SegmentFit:
-    """Measured and simulated motion of one segment, at the samples that were fitted."""
+    """Measured and simulated motion of one segment, at the samples that were fitted.
+
+    nan is what was not measured or does not count, and where the simulation has ended.
+    """
 
     name: str
     kind: str

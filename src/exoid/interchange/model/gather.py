@@ -145,7 +145,7 @@ def remembered(
 def reach(result: FitResult) -> tuple[float, float]:
     """The lowest and the highest angle of the fitted motions [rad]."""
     angles = np.concatenate([each.simulated_angle for each in result.segments])
-    return float(angles.min()), float(angles.max())
+    return float(np.nanmin(angles)), float(np.nanmax(angles))
 
 
 def sensing(each: SegmentFit, begun: Conditions) -> Sensing:
