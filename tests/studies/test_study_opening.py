@@ -1,18 +1,22 @@
 """What a study's report says first: its clearest answers, and that there is none."""
 
 import re
+from dataclasses import replace
 
+import pandas as pd
 import pytest
 from benchmarks.studies.tables import Design, Truth, simulate
 from html_tree import parse
 
 from exoid.report.parts.origin import Origin
 from exoid.studies.page.page import build_page
-from exoid.studies.page.parts.opening import opening
+from exoid.studies.page.parts.opening import in_whom, opening
 from exoid.studies.page.parts.part import Told
-from exoid.studies.page.parts.words import finding
+from exoid.studies.page.parts.words import FEWEST, finding, grade, repeated
 from exoid.studies.statistics.ask import ask
 from exoid.studies.statistics.asked import Asked
+from exoid.studies.statistics.physics import Cause
+from exoid.studies.statistics.tables.said import Interval
 from exoid.studies.statistics.tables.study import study_of
 
 TRUTHS = (
@@ -44,7 +48,7 @@ def test_groups_that_were_asked_for_come_first_then_repeats_physics_and_failures
     assert first == finding(answers)
     assert re.search(r"lower by .* \(95 % .*\(corrected for 2 quantities: ", first)
     assert re.search(r"ICC\(A,1\): \w+ for relaxation index; \w+ for period\.$", repeats)
-    assert physics.startswith("Missing physics, of 16 people diagnosed: nothing was missing in 16,")
+    assert physics == "Missing physics, of 64 recordings: nothing was missing in 64."
     assert failed == "None of 64 recordings failed."
 
 
@@ -61,6 +65,55 @@ def test_groups_that_cannot_be_compared_say_why(study):
     rows = study.quantities[study.quantities["recording"].isin(kept["recording"])]
     first = said(study_of(kept, rows), by="group")[0]
     assert first.startswith("All people are of one group: control.")
+
+
+def test_a_group_without_values_is_counted_with_all_its_people(study):
+    """Two controls and one stroke, of one control no value: two controls there are."""
+    people = study.recordings.drop_duplicates("participant")
+    (lesser, of_one), (other, of_other) = people.groupby("participant_group")["participant"]
+    *_, absent = pair = [*of_one.iloc[:2]]
+    kept = study.recordings[study.recordings["participant"].isin([*pair, of_other.iloc[0]])]
+    rows = study.quantities[study.quantities["recording"].isin(kept["recording"])]
+    lost = (rows["participant"] == absent) & (rows["quantity"] == "relaxation_index")
+    rows = rows.assign(
+        value=rows["value"].where(~lost), note=rows["note"].where(~lost, "cut before rest.")
+    )
+    first = said(study_of(kept, rows), by="group")[0]
+    assert f"People with a value: {lesser} 1, {other} 1; 2 of each group are needed." in first
+    known = f"Relaxation index is known of 1 of 2 {lesser} and 1 of 1 {other} people"
+    assert f"{known}, and not of {absent}, mostly as here: cut before rest." in first
+
+
+def test_few_people_do_not_tell_how_well_anything_repeats():
+    """Whatever the interval says: of eight people nobody knows how far people differ."""
+    few = simulate(Design(people=FEWEST - 1, drops=2, truths=TRUTHS), 0)
+    answers = ask(few, Asked())
+    repeats = opening(answers)[1]
+    assert repeats.startswith(
+        "How well one day of one leg tells people apart, 8 people do not tell: at least 9"
+    )
+    found = [one.reliability for one in answers.each]
+    assert {grade(each) for each in found} == {"too few people"}
+    assert "a share that 8 people do not tell" in repeated(found[0])
+
+
+def test_what_an_operator_chooses_leads_no_report():
+    order = study_of(*of_quantities("start_angle", "period", "damping_over_inertia")).told
+    assert order == ("damping_over_inertia", "period", "start_angle")
+
+
+def of_quantities(*names):
+    """Tables with one value of each."""
+    found = simulate(Design(people=3, drops=1, truths=TRUTHS), 0)
+    row = found.quantities.iloc[:1]
+    return found.recordings, pd.concat([row.assign(quantity=name, value=1.0) for name in names])
+
+
+def test_a_cause_is_counted_by_recordings_and_by_people():
+    interval = Interval(1 / 3, 0.06, 0.79)
+    cause = Cause("coulomb_friction", "all", 2, 12, 1, 3, interval)
+    assert in_whom(cause) == "coulomb friction in 2, of 1 of 3 people, 33 % (95 % 6 % to 79 %)"
+    assert in_whom(replace(cause, name="none", recordings=10)) == "nothing was missing in 10"
 
 
 def test_what_failed_has_its_most_frequent_reason(study):

@@ -24,7 +24,7 @@ from exoid.report.words.diagnosis.verdict import verdict
 from exoid.report.words.text import in_degrees
 
 WIDE, TALL = 10.5, 9.4  # inches
-WIDEST = 130  # letters of a heading
+WIDEST = 120  # letters of a heading
 
 
 def plot_diagnosis(found: Diagnosis) -> Figure:

@@ -112,11 +112,9 @@ def check(by: str, sizes: dict[str, int]) -> None:
         raise NotTold(f"All people are of one {word}: {', '.join(sizes)}.")
     if len(sizes) > MOST_GROUPS:
         raise NotTold(f"{by!r} has {len(sizes)} groups: at most {MOST_GROUPS} are compared.")
-    small = [name for name, people in sizes.items() if people < FEWEST]
-    if small:
-        raise NotTold(
-            f"Of {', '.join(small)} there is one person only: at least {FEWEST} are needed."
-        )
+    if min(sizes.values()) < FEWEST:
+        each = ", ".join(f"{name} {people}" for name, people in sizes.items())
+        raise NotTold(f"People with a value: {each}; {FEWEST} of each group are needed.")
 
 
 def of_dose(values: Values, by: str, mixed: Mixed, notes: tuple[str, ...]) -> Comparison:

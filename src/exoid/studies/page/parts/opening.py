@@ -5,11 +5,13 @@ from collections.abc import Iterator
 from exoid.recordings.tables.sheet import listed
 from exoid.report.words.text import by_reason, counted, quantity_words
 from exoid.studies.page.parts.correction import tested
-from exoid.studies.page.parts.presence import rests
+from exoid.studies.page.parts.presence import rests, whose
 from exoid.studies.page.parts.tables import failures
 from exoid.studies.page.parts.words import (
+    FEWEST,
     MAIN,
     SURE,
+    TOO_FEW,
     cause_words,
     finding,
     grade,
@@ -18,10 +20,11 @@ from exoid.studies.page.parts.words import (
 )
 from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.asked import Answers
-from exoid.studies.statistics.physics import ALL, NOTHING
+from exoid.studies.statistics.physics import ALL, NOTHING, Cause
 from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.tables.frames import Frame
 from exoid.studies.statistics.tables.said import Untold
+from exoid.studies.statistics.tables.study import OF_RELEASE
 
 NAMED = 3  # quantities or causes of a sentence
 
@@ -40,7 +43,8 @@ def difference(answers: Answers) -> str:
         return finding(answers)
     first = answers.each[0]
     why = [found.why for kind in MAIN if isinstance(found := getattr(first, kind), Untold)]
-    return " ".join([*dict.fromkeys(why), *between_sides(answers)])
+    whom = [said for said in (whose(first),) if why and said]
+    return " ".join([*dict.fromkeys(why), *whom, *between_sides(answers)])
 
 
 def between_sides(answers: Answers) -> Iterator[str]:
@@ -56,12 +60,22 @@ def between_sides(answers: Answers) -> Iterator[str]:
 
 
 def repeats(answers: Answers) -> str:
-    """The quantities by how well one day of them tells people apart."""
-    each = [(one.quantity, one.reliability) for one in tested(answers.each)]
+    """The quantities by how well one day of them tells people apart; those that hang on the release
+    only where there is no other.
+    """
+    asked = tested(answers.each)
+    outcomes = [one for one in asked if one.quantity not in OF_RELEASE]
+    each = [(one.quantity, one.reliability) for one in outcomes or asked]
     found = [(name, one) for name, one in each if isinstance(one, Reliability)]
     if not found:
         why = [one.why for _, one in each if isinstance(one, Untold)]
         return f"How well they repeat is not told: {why[0]}"
+    if all(grade(one) == TOO_FEW for _, one in found):
+        most = max(one.people for _, one in found)
+        return (
+            f"How well one day of one leg tells people apart, {most} people do not tell: at least "
+            f"{FEWEST} are needed to call it anything. Intervals stand in the table."
+        )
     graded = by_reason((quantity_words(name), grade(one)) for name, one in found)
     said = "; ".join(f"{word} for {listed(names, NAMED)}" for word, names in graded.items())
     return (
@@ -71,15 +85,25 @@ def repeats(answers: Answers) -> str:
 
 
 def lacked(answers: Answers) -> str:
-    """In how many people which physics was missing; nothing where nobody was diagnosed."""
+    """In how many recordings which physics was missing, and in whom; nothing where nobody was
+    diagnosed.
+    """
     if isinstance(answers.physics, Untold):
         return ""
     found = [each for each in answers.physics if each.group == ALL]
     named = [each for each in found if each.name not in NOTHING]
     shown = [*named[:NAMED], *(each for each in found if each.name in NOTHING)]
-    said = "; ".join(f"{cause_words(each.name)} in {each.people}, {shares(each)}" for each in shown)
-    people = counted(found[0].of_people, "person", "people")
-    return f"Missing physics, of {people} diagnosed: {said}."
+    said = "; ".join(map(in_whom, shown))
+    recordings = counted(found[0].of_recordings, "recording")
+    return f"Missing physics, of {recordings}: {said}."
+
+
+def in_whom(each: Cause) -> str:
+    """In how many recordings, and of a cause that has a name also in how many people."""
+    said = f"{cause_words(each.name)} in {each.recordings}"
+    if each.name in NOTHING:
+        return said
+    return f"{said}, of {each.people} of {each.of_people} people, {shares(each)}"
 
 
 def failed(recordings: Frame) -> str:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from exoid.report.words.text import capital, quantity_words
 from exoid.studies.statistics.asked import Answer
 from exoid.studies.statistics.groups import MOST_GROUPS, Comparison
 from exoid.studies.statistics.presence import Count, Presence, Tally
@@ -18,6 +19,16 @@ def rests(answer: Answer) -> str:
         f"{part_of(tally, what, parts)}." for what, tally in each.items() if uneven([tally], parts)
     ]
     return " ".join([people(found, grouped(answer)), *counts, *biased(answer)])
+
+
+def whose(answer: Answer) -> str:
+    """How many people of each group have a value, who has none, and why."""
+    found, quantity = answer.presence, capital(quantity_words(answer.quantity))
+    if not found.missing:
+        return ""
+    why = f", mostly as here: {found.reason.rstrip('.')}" if found.reason else ""
+    known = of_people(found, grouped(answer))
+    return f"{quantity} is known of {known}, and not of {named(found)}{why}."
 
 
 def lacking(answer: Answer) -> Iterator[str]:
@@ -60,14 +71,24 @@ def grouped(answer: Answer) -> bool:
 
 def people(found: Presence, by_group: bool) -> str:
     """It rests on 10 of 10 control and 3 of 10 spastic people; missing: p01, p03."""
+    missing = f"; missing: {named(found)}" if found.missing else ""
+    return f"It rests on {of_people(found, by_group)}{missing}."
+
+
+def of_people(found: Presence, by_group: bool) -> str:
+    """10 of 10 control and 3 of 10 spastic people."""
     every = found.people.every
     said = f"{every.told} of {every.of}"
     if by_group:
         parts = found.people.parts["group"].items()
         said = " and ".join(f"{each.told} of {each.of} {name}" for name, each in parts)
+    return f"{said} people"
+
+
+def named(found: Presence) -> str:
+    """Those who are missing; of many the first, and how many more."""
     more = len(found.missing) - NAMED
-    names = ", ".join(found.missing[:NAMED]) + (f" and {more} more" if more > 0 else "")
-    return f"It rests on {said} people{f'; missing: {names}' if names else ''}."
+    return ", ".join(found.missing[:NAMED]) + (f" and {more} more" if more > 0 else "")
 
 
 def part_of(tally: Tally, what: str, parts: Sequence[str]) -> str:

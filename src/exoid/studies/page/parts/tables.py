@@ -112,7 +112,10 @@ def causes(found: Sequence[Cause], groups: Sequence[str]) -> Table:
         "cause": [cause_words(each.name) for each in kept],
         "group": [each.group if len(groups) > 1 else "" for each in kept],
         "recordings": [f"{each.recordings} of {each.of_recordings}" for each in kept],
-        "people": [f"{each.people} of {each.of_people}" for each in kept],
+        "people": Column(
+            [f"{each.people} of {each.of_people}" for each in kept],
+            head="people\nwith any",
+        ),
         "share of people": [shares(each) for each in kept],
     }
     return Table("Which physics was missing", made, "Missing physics")

@@ -7,6 +7,7 @@ from exoid.report.words.text import (
     by_reason,
     capital,
     counted,
+    in_words,
     quantity_words,
     shown_unit,
 )
@@ -22,6 +23,9 @@ from exoid.studies.statistics.tables.said import Interval, Untold
 SURE = 0.05  # p, below which a difference is called one
 # Koo & Li (2016), J Chiropr Med 15: 155-163, of the lower end of the interval.
 GRADES = ((0.9, "excellent"), (0.75, "good"), (0.5, "moderate"), (-1.0, "poor"))
+# People whose spread, on which an ICC hangs, is known to a factor of two: sqrt(8 / chi2(0.025, 8)).
+FEWEST = 9
+TOO_FEW = "too few people"
 
 
 def column_words(column: str) -> str:
@@ -30,7 +34,9 @@ def column_words(column: str) -> str:
 
 
 def grade(each: Reliability) -> str:
-    """Of the lower end of its interval, which is what is sure."""
+    """Of the lower end of its interval, which is what is sure; of few people no word is."""
+    if each.people < FEWEST:
+        return TOO_FEW
     low = each.agreement.low if isfinite(each.agreement.low) else each.agreement.value
     return next(word for least, word in GRADES if low >= least)
 
@@ -119,10 +125,13 @@ def repeated(found: Reliability) -> str:
     what = quantity_words(found.quantity)
     drops = counted(round(found.drops), "drop")
     change = with_interval(found.change, found.unit)
+    graded = f"is {grade(found)} at telling people apart (by the lower end of the interval)"
+    if grade(found) == TOO_FEW:
+        graded = f"tells people apart by a share that {found.people} people do not tell"
     return (
-        f"{capital(what)} of {drops} on one day is {grade(found)} at telling people apart "
-        f"(by the lower end of the interval): ICC(A,1) {with_interval(found.agreement)}. "
-        f"In one leg, only a change of more than {change} is more than chance."
+        f"{capital(what)} of {drops} on one day {graded}: ICC(A,1) "
+        f"{with_interval(found.agreement)}. In one leg, only a change of more than {change} is "
+        "more than chance."
     )
 
 
@@ -134,7 +143,8 @@ def told_of(found: Sequence[Reliability]) -> list[str]:
 
 def cause_words(name: str) -> str:
     """As a table has it, among causes."""
-    return {"none": "nothing was missing", "cannot tell": "cannot be told"}.get(name, name)
+    said = {"none": "nothing was missing", "cannot tell": "cannot be told"}
+    return said.get(name, in_words(name))
 
 
 def shares(each: Cause) -> str:

@@ -10,6 +10,8 @@ from exoid.studies.page.parts.part import Told, part
 from exoid.studies.page.parts.tables import values
 from exoid.studies.page.parts.words import (
     SURE,
+    TOO_FEW,
+    cause_words,
     changed,
     column_words,
     grade,
@@ -75,6 +77,8 @@ def trusted(answers: Answers) -> Group:
         why = answers.each[0].reliability if answers.each else Untold("There are no values.")
         return card(question, "open", "Not told.", why.why if isinstance(why, Untold) else "")
     found: Reliability = first.reliability
+    if grade(found) == TOO_FEW:
+        return card(question, "open", f"Not told by {found.people} people.", repeated(found))
     good = grade(found) in ("good", "excellent")
     return card(
         question,
@@ -156,5 +160,5 @@ def missing(answers: Answers) -> Group | None:
         answer = "Nothing that has a name." if told else "Not told."
         return card(question, "good" if told else "open", answer, f"{amount(answers)}.")
     most = named[0]
-    why = f"Found in {most.people} of {most.of_people} people, {shares(most)}."
-    return card(question, "care", f"{capital(most.name)}, most often.", why)
+    why = f"Found in a recording of {most.people} of {most.of_people} people, {shares(most)}."
+    return card(question, "care", f"{capital(cause_words(most.name))}, most often.", why)

@@ -17,10 +17,22 @@ WORDS = {  # columns that may be absent, and what is taken instead
 # motion alone tells.
 LEADING = (
     "relaxation_index",
-    "first_flexion_amplitude",
+    "expected_relaxation_index",
     "damping_over_inertia",
     "stiffness_over_inertia",
     "gravity_over_inertia",
+)
+# What goes with the height from which an operator lets the leg go: told last.
+OF_RELEASE = (
+    "first_flexion_amplitude",
+    "plateau_amplitude",
+    "number_of_oscillations",
+    "time_to_rest",
+    "peak_flexion_velocity",
+    "peak_extension_velocity",
+    "peak_flexion_acceleration",
+    "peak_extension_acceleration",
+    "start_angle",
 )
 KEYS = ("recording", "name", "participant", "session", "side", "status", "quantity")
 
@@ -47,9 +59,11 @@ class Study:
 
     @property
     def told(self) -> tuple[str, ...]:
-        """The quantities that have values, those that lead first, others in the table's order."""
+        """The quantities that have values, those that lead first, those of the release last, others
+        in the table's order.
+        """
         found = self.quantities.loc[self.quantities["value"].notna(), "quantity"].unique()
-        return tuple(sorted(found, key=lambda each: (each not in LEADING, place(each))))
+        return tuple(sorted(found, key=place))
 
     @property
     def of_legs(self) -> tuple[str, ...]:
@@ -65,8 +79,9 @@ class Study:
 
 
 def place(quantity: str) -> int:
-    """Among those that lead."""
-    return LEADING.index(quantity) if quantity in LEADING else len(LEADING)
+    """Among those that lead, between, or among those that come last."""
+    order = (*LEADING, "", *OF_RELEASE)
+    return order.index(quantity if quantity in order else "")
 
 
 def open_study(folder: str | Path) -> Study:
