@@ -63,6 +63,18 @@ def test_where_the_model_fails_the_advice_is_to_find_out_why():
     assert "agrees" in words.batch(sure)
 
 
+def test_where_another_drop_would_hardly_change_a_thing_none_is_asked_for():
+    assert words.advice(board_of(Trust.ENOUGH)) == ""
+    assert words.advice(board_of(Trust.ENOUGH, "inertia=2%")).startswith("let it drop from")
+
+
+def test_a_drop_that_moves_as_a_recording_ends_is_told_beside_those_that_ended():
+    board = board_of(Trust.ENOUGH)
+    assert words.all_drops(board) == "0 drops so far"
+    board.show(Moment(2.0, -1.0, 0.0, Phase.MOVING, Trust.ENOUGH, 1, KNOWN, KNOWN))
+    assert words.all_drops(board) == "0 drops, and one that still moved at the end"
+
+
 class Screen:
     def __init__(self):
         self.board, self.said = Board(), []

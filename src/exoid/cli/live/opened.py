@@ -6,7 +6,8 @@ from itertools import pairwise
 from pathlib import Path
 
 from exoid.cli.inputs.reading import take
-from exoid.cli.live.replay import of_log, of_recording
+from exoid.cli.live.replay import BETWEEN, of_log, of_recording
+from exoid.cli.terminal.say import say
 from exoid.recordings.can.logs.log_files import FORMATS, read_log
 from exoid.recordings.can.node.which import nodes_in
 from exoid.recordings.live.decoding.node_stream import NodeStream
@@ -47,6 +48,7 @@ def open_recording(path: Path, body: dict[str, float], node: int | None, **readi
     factor = 1.0 if rate is None else rate.factor
     load, thigh_angle = load_of(recording, factor), thigh_of(recording)
     if not of_node:
+        tell_of_pauses(path, len(recording.segments))
         return Opened(
             recording.subject, load, thigh_angle, lambda many: of_recording(recording, many), None
         )
@@ -55,6 +57,16 @@ def open_recording(path: Path, body: dict[str, float], node: int | None, **readi
     return Opened(
         recording.subject, load, thigh_angle, lambda many: of_log(log, stream, many), stream
     )
+
+
+def tell_of_pauses(path: Path, count: int) -> None:
+    """That segments, each of which has a clock of its own, are put on one."""
+    if count > 1:
+        pause = f"{BETWEEN:.0f} s after the one before"
+        say(
+            f"exoid: {path.name}: its {count} segments are followed as one stream, each {pause}.",
+            err=True,
+        )
 
 
 def told_of(subject: Subject, body: dict[str, float]) -> Subject:
@@ -127,8 +139,6 @@ def spans_of(recording: Recording) -> list[tuple[float, float]]:
 
 def one_after_another(recording: Recording) -> list[tuple[float, float]]:
     """As `of_recording` plays them."""
-    from exoid.cli.live.replay import BETWEEN
-
     found, begin = [], 0.0
     for each in recording.segments:
         end = begin + float(each.time[-1] - each.time[0])

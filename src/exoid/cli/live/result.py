@@ -35,7 +35,9 @@ def lines(board: "Board") -> list[str]:
         for each in words.quantities(board)
         for value, error in [words.rounded(each.value, each.error)]
     ]
-    seconds = "" if board.moment is None else f"{board.moment.time:.1f} s, {words.drops(board)}; "
+    seconds = (
+        "" if board.moment is None else f"{board.moment.time:.1f} s, {words.all_drops(board)}; "
+    )
     said = [f"{seconds}{words.trust(board)}", *found]
     if (fit := words.batch(board)) != "":
         said.append(fit)

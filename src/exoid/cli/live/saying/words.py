@@ -11,12 +11,13 @@ if TYPE_CHECKING:
 DOING = ("held, or nobody knows", "at rest: let it drop", "moving freely", "at rest, or caught")
 STARTING = "the estimator is loading; what moves meanwhile is kept and taken in afterwards"
 BY_RATIOS = "one kind of drop tells ratios; a weighed mass on the shank for some of them tells J"
-UNEXPLAINED = 4  # trust
+ENOUGH, UNEXPLAINED = 3, 4  # trust
+MOVING = 2  # phase
 DIAGNOSE = (
     "something is missing in the model: exoid diagnose tells what, of a recording of it (-o); then "
     "exoid live --with TERM"
 )
-OPEN = (2, 3)  # trusts that would say good, or enough, while a goal is open
+OPEN = (2, ENOUGH)  # trusts that would say good, or enough, while a goal is open
 DIGITS = 2  # of an error
 
 
@@ -100,17 +101,23 @@ def wanted(board: "Board", name: str) -> str:
     return next((f"± {goal.error}" for goal in board.goals if goal.name == name), "")
 
 
+def enough(board: "Board") -> bool:
+    """Is nothing left to do?"""
+    sure = board.moment is not None and int(board.moment.trust) == ENOUGH
+    return board.reached or (sure and not open_goals(board))
+
+
 def next_movement(board: "Board") -> str:
     """What to do, while there is something left to do."""
     if unexplained(board):
         return DIAGNOSE
-    return "" if board.advice is None or board.reached else board.advice.words
+    return "" if board.advice is None or enough(board) else board.advice.words
 
 
 def gain(board: "Board") -> str:
     """What that would bring."""
     found = board.advice
-    if found is None or found.movement is None or board.reached or unexplained(board):
+    if found is None or found.movement is None or enough(board) or unexplained(board):
         return ""
     before, after = (f"{each:.2g}" for each in (found.before, found.after))
     return f"error of {title(found.name)} {before} → {after} {found.unit}"
@@ -137,4 +144,15 @@ def batch(board: "Board") -> str:
 
 
 def drops(board: "Board") -> str:
-    return f"{len(board.ended)} drop{'' if len(board.ended) == 1 else 's'} so far"
+    return f"{ended(board)} so far"
+
+
+def ended(board: "Board") -> str:
+    """How many drops have ended."""
+    return f"{len(board.ended)} drop{'' if len(board.ended) == 1 else 's'}"
+
+
+def all_drops(board: "Board") -> str:
+    """The drops of a stream that is over: one that still moves then is in the numbers, too."""
+    moving = board.moment is not None and int(board.moment.phase) == MOVING
+    return f"{ended(board)}, and one that still moved at the end" if moving else drops(board)
