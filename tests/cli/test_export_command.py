@@ -32,6 +32,12 @@ def test_every_form_is_written_under_its_own_ending_and_its_table_said(command, 
     assert {"leg", "coulomb_friction"} <= set(rows)
 
 
+def test_opensim_has_its_own_name_too(command, saved):
+    done = command("export", saved / "leg.nc", "--as", "opensim", "--force", cwd=saved)
+    assert done.returncode == 0, done.stderr
+    assert "wrote leg.osim" in done.stderr
+
+
 def test_a_segment_is_exported_as_it_was(command, saved, tmp_path):
     path = tmp_path / "segment.xml"
     done = command("export", saved / "leg.nc", "--as", "mjcf", "--segment", 0, "-o", path)

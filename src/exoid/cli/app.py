@@ -15,6 +15,7 @@ COMMANDS = {
     "example": "Copy the recording that comes with exoid, and its sidecar.",
     "drops": "Read the pendulum-test measures off every passive drop.",
     "diagnose": "Say which physics the model lacks, where it shows, and prove it.",
+    "effects": "List the effects that --with and --between take.",
     "report": "Fit and diagnose a leg, and write one page about it.",
     "plan": "Say what to record next, and how much it would tell.",
     "compare": "Show two saved results side by side.",

@@ -19,7 +19,8 @@ ENDINGS = {
     "c": ("h", "hpp"),
     "python": ("py",),
 }  # of a file's name; the first where none is named
-Form = Literal["mjcf", "urdf", "osim", "c", "python"]
+Form = Literal["mjcf", "urdf", "osim", "opensim", "c", "python"]
+ALSO: dict[str, Form] = {"opensim": "osim"}  # called so, too
 
 
 def export(
@@ -30,8 +31,8 @@ def export(
         Form,
         typer.Option(
             "--as",
-            help="mjcf: MuJoCo. urdf: robot description. osim: OpenSim. c: a header for firmware. "
-            "python: a script that needs NumPy alone.",
+            help="mjcf: MuJoCo. urdf: robot description. osim, opensim: OpenSim. c: a header for "
+            "firmware. python: a script that needs NumPy alone.",
         ),
     ],
     output: Annotated[
@@ -64,6 +65,7 @@ def export(
       exoid export leg.nc --as c -o exoid_leg.h       feed-forward for firmware
       exoid export why.nc --as osim --segment 1       as that segment of a diagnosis had it
     """
+    form = ALSO.get(form, form)
     path = output or Path(f"leg.{ENDINGS[form][0]}")
     check_outputs((path, ENDINGS[form]), force=force, inputs=[result])
     own = own_terms(terms)

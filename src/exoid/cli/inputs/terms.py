@@ -15,7 +15,7 @@ With = Annotated[
     typer.Option(
         "--with",
         help="A term beside Eq. 9, such as coulomb_friction or gyro_bias, alone or with its "
-        "values as hysteresis=0.1,0.03; repeat. The site's page of effects lists them.",
+        "values as hysteresis=0.1,0.03; repeat. 'exoid effects' lists them.",
         metavar="TERM",
     ),
 ]

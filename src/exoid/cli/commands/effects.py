@@ -1,0 +1,38 @@
+"""exoid effects: what a model may have beside Eq. 9, by the names that options take."""
+
+from typing import Annotated
+
+import typer
+
+from exoid.cli.inputs.terms import OwnTerms, own_terms, terms_asked
+from exoid.cli.outputs.results import show
+
+
+def effects(
+    names: Annotated[
+        list[str] | None,
+        typer.Argument(help="Those to explain, as coulomb_friction. Without one, all are listed."),
+    ] = None,
+    terms: OwnTerms = None,
+) -> None:
+    """List the effects that --with and --between take.
+
+    With a name its equation, the range of its values, the recording that would show it apart from
+    others, and its source.
+
+    \b
+    Examples:
+      exoid effects                        all of them, a line each
+      exoid effects coulomb_friction       one in full
+      exoid effects --terms my_terms.py    with terms of your own
+    """
+    own = own_terms(terms)
+    chosen = terms_asked(names, own, option="effects") if names else ()
+    from exoid.cli.outputs.effects import explain_effect, print_effects
+    from exoid.physics.library import library
+
+    if not chosen:
+        show(lambda console: print_effects((*own, *library()), console))
+    for each in chosen:
+        term = each if isinstance(each, type) else type(each)
+        show(lambda console, term=term: explain_effect(term, console))
