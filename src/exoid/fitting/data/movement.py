@@ -52,20 +52,26 @@ class Movement:
     angle_jitter: TimeJitter | None = None  # where the noise grows with speed
     gyro_jitter: TimeJitter | None = None
 
-    @property
+    @cached_property
     def angle_noise(self) -> float:
         """Standard deviation of an angle sample [rad]."""
-        return self.noise.level
+        if self.angle_jitter is None:
+            return self.noise.level
+        return self.angle_jitter.level(self.segment.time, self.angle)
 
     @property
     def residual_unit(self) -> float:
         """What a fit divides the angle's residuals by [rad]."""
         return self.angle_noise if self.divisor is None else self.divisor
 
-    @property
+    @cached_property
     def velocity_noise(self) -> float:
         """Standard deviation of a gyro sample [rad/s]; infinite without a gyro."""
-        return np.inf if self.gyro_noise is None else self.gyro_noise.level
+        if self.gyro_noise is None or self.angular_velocity is None:
+            return np.inf
+        if self.gyro_jitter is None:
+            return self.gyro_noise.level
+        return self.gyro_jitter.level(self.segment.time, self.angular_velocity)
 
     @cached_property
     def jumps(self) -> list[Jump]:

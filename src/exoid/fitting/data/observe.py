@@ -82,8 +82,8 @@ def one_observation(
 
     jitter = each.angle_jitter if each.divisor is None else None
     angle, angle_weight = placed(each.angle, each.residual_unit, jitter)
-    gyro = each.angular_velocity, each.velocity_noise, each.gyro_jitter
-    velocity, velocity_weight = placed(*gyro)
+    rate, rate_noise = each.angular_velocity, each.velocity_noise
+    velocity, velocity_weight = placed(rate, rate_noise, each.gyro_jitter)
     width = unhurried(each, GUIDE_WIDTH)
     guide, _ = smoothed_motion(each, width)
     slope = local_line(own, guide, width)[1]  # of the angle itself, whatever the gyro says

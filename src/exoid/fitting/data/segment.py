@@ -4,7 +4,7 @@ import numpy as np
 
 from exoid.fitting.data.fitted_samples import Clip, portion
 from exoid.fitting.data.movement import Movement, weightless
-from exoid.fitting.data.time_jitter import with_jitter
+from exoid.fitting.data.time_jitter import jitter_beside
 from exoid.fitting.model.systematics import systematics
 from exoid.recordings.filter.constants import UNTOLD
 from exoid.recordings.recording import Recording, Segment
@@ -41,15 +41,7 @@ def movement(
     mass, distance = recording.added_mass(number), recording.added_mass_distance(number)
     assert angle is not None  # a Segment has one or the other
     check_sense(clipped, angle, velocity, name)
-    noise, angle_jitter = cleaned.angle, None
-    gyro_noise, gyro_jitter = cleaned.velocity, None
-    if raw:
-        noise, angle_jitter = with_jitter(recording, "raw_angle", noise, clipped.time, angle)
-    if raw and velocity is not None and gyro_noise is not None:
-        channel = "raw_angular_velocity"
-        gyro_noise, gyro_jitter = with_jitter(
-            recording, channel, gyro_noise, clipped.time, velocity
-        )
+    noises = (cleaned.angle, cleaned.velocity) if raw else (None, None)
     whole = Movement(
         name=name,
         kind=kind,
@@ -58,8 +50,8 @@ def movement(
         angle=angle,
         angular_velocity=velocity,
         filtered=not raw,
-        noise=noise,
-        gyro_noise=gyro_noise,
+        noise=cleaned.angle,
+        gyro_noise=cleaned.velocity,
         onset=part.onset - float(segment.time[part.start]),
         period=part.period,
         added_mass=mass,
@@ -73,8 +65,8 @@ def movement(
         filter=recording.sensors.filter or UNTOLD,
         filter_told=recording.sensors.filter is not None,
         filter_step=recording.sensors.filter_step,
-        angle_jitter=angle_jitter,
-        gyro_jitter=gyro_jitter,
+        angle_jitter=jitter_beside(noises[0], recording, "raw_angle"),
+        gyro_jitter=jitter_beside(noises[1], recording, "raw_angular_velocity"),
     )
     return weightless(whole, np.arange(angle.size) < part.free - part.start)
 

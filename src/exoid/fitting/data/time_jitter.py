@@ -44,26 +44,26 @@ class TimeJitter:
         """The standard deviation of every sample, in the unit of its channel."""
         return np.hypot(self.steady, self.jitter * local_line(time, samples, WIDTH)[1])
 
+    def level(self, time: Samples, samples: Samples) -> float:
+        """The root mean square over all that are known."""
+        each = self.noise(time, samples)[~np.isnan(samples)]
+        return float(np.sqrt(np.mean(each**2)))
 
-def with_jitter(
-    recording: Recording, channel: str, noise: Noise, time: Samples, samples: Samples
-) -> tuple[Noise, TimeJitter | None]:
-    """The noise of some samples of a channel, and how far its times are off; as it was where its
-    noise does not grow with its rate. What is declared counts for a leg at rest.
+
+def jitter_beside(noise: Noise | None, recording: Recording, channel: str) -> TimeJitter | None:
+    """How far the times of a channel with this noise are off; None where its noise does not grow
+    with its rate. What is declared counts for a leg at rest.
     """
-    found = None if noise.alike_over else time_jitter(recording, channel)
-    if found is None:
-        return noise, None
+    if noise is None or noise.alike_over or (found := time_jitter(recording, channel)) is None:
+        return None
     least = STEADIEST * noise.level
-    found = replace(found, steady=max(found.steady, noise.declared or 0.0, least))
-    each = found.noise(time, samples)[~np.isnan(samples)]
-    return replace(noise, level=float(np.sqrt(np.mean(each**2)))), found
+    return replace(found, steady=max(found.steady, noise.declared or 0.0, least))
 
 
 @remembered
 def time_jitter(recording: Recording, channel: str) -> TimeJitter | None:
-    """How far the times of a channel are off; None where its noise does not grow with its rate, and
-    on a rig, whose models miss more at speed than a clock does.
+    """The same by its samples alone; None on a rig, whose models miss more at speed than a clock
+    does.
     """
     if recording.subject.kind == "rig":
         return None
