@@ -16,6 +16,7 @@ from exoid.physics.term import PhysicsTerm, name_of
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.device.load_friction import LoadFriction
 from exoid.physics.terms.muscle.torque_asymmetry import TorqueAsymmetry
+from exoid.physics.terms.tissue.cubic_stiffness import CubicStiffness
 from exoid.physics.terms.tissue.hysteresis import Hysteresis
 from exoid.physics.terms.tissue.slack_cubic_stiffness import SlackCubicStiffness
 from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
@@ -40,7 +41,15 @@ def test_every_torque_without_a_memory_can_be_followed():
 
 @pytest.mark.parametrize(
     "term",
-    [Hysteresis, TorqueAsymmetry, GyroBias, StiffnessRestAngle, LoadFriction, SlackCubicStiffness],
+    [
+        Hysteresis,
+        TorqueAsymmetry,
+        GyroBias,
+        StiffnessRestAngle,
+        LoadFriction,
+        CubicStiffness,
+        SlackCubicStiffness,
+    ],
 )
 def test_what_cannot_be_followed_is_refused(term):
     with pytest.raises(ValueError, match="cannot be estimated live"):
