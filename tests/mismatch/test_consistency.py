@@ -60,3 +60,16 @@ def test_without_a_gyro_nothing_is_said_of_it():
         lambda o: o.velocity_weight, observation, np.zeros_like(observation.velocity_weight)
     )
     assert consistency(blind, Yardstick).errors == []
+
+
+def test_samples_of_a_buffer_that_is_emptied_at_once_are_compared():
+    """Every tenth waits for the next, and both are stamped 10 us apart."""
+    observation = seen()
+    time = np.array(observation.time)
+    time[:, 5:-1:10] = time[:, 6::10] - 1e-5
+    found = consistency(eqx.tree_at(lambda o: o.time, observation, time), Yardstick)
+    for number, reference in enumerate(found.references):
+        rows = slice(0, reference.angle.size)
+        measured = observation.angle_weight[number][rows] > 0
+        off = reference.angle - observation.angle[number][rows]
+        assert np.abs(off[measured]).max() < 0.1  # rad: 10 ms at 5 rad/s, and noise

@@ -9,6 +9,7 @@ from diagnosis_cases import DROPS, FRICTION, Broken, Detent, Release, session
 
 from exoid.mismatch import prepare as preparing
 from exoid.mismatch.missing_physics import diagnose
+from exoid.mismatch.with_model import doubts, ended_elsewhere
 from exoid.physics.sensing.angle_offset import AngleOffset
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
@@ -38,6 +39,17 @@ def of_friction(heard):
 @pytest.fixture(scope="module")
 def of_nothing():
     return diagnose(session())
+
+
+def test_a_fit_in_another_minimum_than_the_search_gives_no_numbers(of_friction):
+    """The one with friction stands where the search ended; the one without leaves 20 times that."""
+    assert of_friction.after is not None
+    assert not ended_elsewhere(of_friction, of_friction.after)
+    elsewhere = replace(of_friction.before, astray=None)
+    assert ended_elsewhere(of_friction, elsewhere)
+    (reason,) = doubts(of_friction, elsewhere)
+    assert "coulomb friction predicts what it did not see" in reason
+    assert "in another minimum" in reason
 
 
 def cut(recording: Recording, until: float) -> Recording:

@@ -32,6 +32,7 @@ from exoid.physics.term import Term, name_of
 from exoid.recordings.recording import Recording
 
 STARTS = 8  # masses and inertias of the fit with what was found
+ELSEWHERE = 2.0  # times the held-out error, above which a fit is none of what the search found
 
 
 def with_model(
@@ -64,6 +65,14 @@ def with_model(
 
 def doubts(found: Diagnosis, after: FitResult | None) -> list[str]:
     """Why the model with what was found is no answer."""
+    if after is not None and ended_elsewhere(found, after):
+        searched, fitted = (
+            f"{np.degrees(one):.2g} deg" for one in (found.proof.after.total, after.angle_rmse)
+        )
+        return [
+            f"{words(found.selected) or 'a formula'} predicts what it did not see to {searched}, "
+            f"but the fit with it stands in another minimum, at {fitted}"
+        ]
     if after is not None and after.follows and after.basis is not None:
         gravity = (each.ratios["gravity_over_inertia"] for each in (found.before, after))
         return unlike_a_leg(after.basis.problem.belief, *gravity)
@@ -71,6 +80,11 @@ def doubts(found: Diagnosis, after: FitResult | None) -> list[str]:
         return []
     cause = words(found.selected) or "a formula"
     return [f"{cause} explains most, but with it the model is still astray"]
+
+
+def ended_elsewhere(found: Diagnosis, after: FitResult) -> bool:
+    """Does a fit of all samples leave far more than the search did of those that it did not see?"""
+    return bool(after.follows and after.angle_rmse > ELSEWHERE * found.proof.after.total)
 
 
 def unclaimed(found: Diagnosis, reasons: list[str]) -> Diagnosis:

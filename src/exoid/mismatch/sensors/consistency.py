@@ -15,6 +15,7 @@ from exoid.mismatch.sensors.sure import Measuring, surely
 from exoid.recordings.conventions.jumps import jumps
 
 UNITS = dict(zip(USUAL, ("1", "rad/s", "s"), strict=True))
+SHORTEST = 0.02  # of the usual step
 CAUTION = 2.0  # times what is left, that a gyro is held to err beside the encoder
 
 
@@ -68,4 +69,15 @@ def segment(seen: Observation, number: int) -> Measured:
     weights = np.stack([np.asarray(one) for one in each], axis=1)
     count = int(np.flatnonzero(weights.any(axis=1))[-1]) + 1
     data = np.stack([seen.angle[number], seen.angular_velocity[number]], axis=1)
-    return np.asarray(seen.time[number])[:count], data[:count], weights[:count]
+    return apart(np.asarray(seen.time[number])[:count]), data[:count], weights[:count]
+
+
+def apart(time: np.ndarray) -> np.ndarray:
+    """The times, none so near the one before that rounding would be larger than what a jerk does:
+    those of a buffer that is emptied at once are microseconds apart.
+    """
+    least = SHORTEST * np.median(np.diff(time))
+    if not (np.diff(time) < least).any():
+        return time
+    ramp = least * np.arange(time.size)
+    return ramp + np.maximum.accumulate(time - ramp)
