@@ -10,6 +10,7 @@ import numpy as np
 
 from exoid.files.text_file import Notes
 from exoid.recordings.conventions.angle_convention import wrong_convention
+from exoid.recordings.conventions.batched_times import unbatched
 from exoid.recordings.conventions.file_clock import (
     from_first_sample,
     measured,
@@ -44,9 +45,10 @@ def understand(
     """
     refuse(wrong_clock(recording))
     recording = from_first_sample(recording)
+    recording, batched = (recording, ()) if whole else unbatched(recording)
     recording, notes = turned(told(recording, flip, zero))
     refuse(tiny(recording) or dead_gyro(recording) or wrong_unit(recording))
-    notes = (*unlike_rate(recording), *notes)
+    notes = (*unlike_rate(recording), *batched, *notes)
     if not whole:
         recording, lost = without_lost_samples(recording)
         recording, averaged = thinned(recording)

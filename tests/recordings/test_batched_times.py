@@ -1,0 +1,49 @@
+"""Samples that a buffer gives in batches, and times that come one by one."""
+
+import numpy as np
+import pytest
+
+import exoid
+from exoid.recordings.conventions.batched_times import even_times, unbatched
+
+TAKEN = 0.01 * np.arange(600)
+
+
+def stamped(batch: int, apart: float, seed: int = 0) -> np.ndarray:
+    """Every so many samples are read at once, some 2 ms late, and stamped `apart` s apart."""
+    random = np.random.default_rng(seed)
+    last = np.minimum((np.arange(600) // batch + 1) * batch - 1, 599)
+    read = TAKEN[last] + np.repeat(random.exponential(0.002, 600 // batch + 1), batch)[:600]
+    place = np.arange(600) % batch
+    return np.maximum.accumulate(read + apart * place) + 1e-9 * np.arange(600)
+
+
+@pytest.mark.parametrize(("batch", "apart"), [(2, 1e-3), (5, 1e-3), (5, 1e-5), (8, 2e-4)])
+def test_the_clock_of_the_sensor_is_found_again(batch, apart):
+    """To 0.01 %, as well as a clock is believed; when it began nobody knows."""
+    found = even_times(stamped(batch, apart))
+    assert found is not None
+    assert np.ptp(found) == pytest.approx(np.ptp(TAKEN), rel=1e-4)
+    assert np.ptp(np.diff(found)) < 1e-9
+
+
+@pytest.mark.parametrize("jitter", [0.0, 1e-3, 3e-3])
+def test_times_that_come_one_by_one_stay(jitter):
+    random = np.random.default_rng(1)
+    assert even_times(np.sort(TAKEN + jitter * random.normal(size=600))) is None
+
+
+def test_a_gap_is_no_batch():
+    kept = np.delete(stamped(5, 1e-3), np.arange(200, 300))
+    assert even_times(kept) is None
+    assert even_times(np.delete(TAKEN, np.arange(200, 300))) is None
+
+
+def test_it_is_said():
+    segment = exoid.Segment(stamped(5, 1e-3), raw_angle=np.cos(5 * TAKEN) * np.exp(-TAKEN) - 1.5)
+    made, (note,) = unbatched(exoid.Recording((segment,)))
+    assert note.startswith("samples come in batches")
+    assert "evenly apart, by 10 ms" in note
+    assert made.segments[0].time[0] == 0.0
+    even = exoid.Recording((exoid.Segment(TAKEN, raw_angle=np.cos(5 * TAKEN)),))
+    assert unbatched(even) == (even, ())
