@@ -5,6 +5,9 @@ from typing import Any
 import jax.numpy as jnp
 import numpy as np
 
+from diagnosis_cases import Detent
+
+from exoid.fitting.solve.compiled.kept_program import own_sources
 from exoid.mismatch.novel.dictionary import dictionary
 from exoid.mismatch.novel.formula import Formula, fitted_formula, term_of
 from exoid.physics.sensing.gyro_scale import GyroScale
@@ -20,3 +23,10 @@ def test_a_formula_is_found_behind_the_errors_of_sensors():
     assert own.words.startswith("tau = 0.4 ")
     assert own.over(0.5).startswith("tau / J = 0.8 ")
     assert own.over(0.5).endswith(" rad/s^2")
+
+
+def test_no_program_of_a_formula_is_kept_for_another_one():
+    """All are classes of one name; a user's own term is known again by its file."""
+    each = [term_of(Formula((one,), np.array([1.0]), 0.97, 0.0)) for one in [*dictionary()][:2]]
+    assert [own_sources((one,)) for one in each] == [{None}, {None}]
+    assert all(own_sources((Detent,)))

@@ -5,10 +5,12 @@ import inspect
 import logging
 import os
 import platform
+import sys
 import zlib
 from collections.abc import Mapping
 from functools import cache
 from importlib.metadata import version
+from operator import attrgetter
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -98,15 +100,17 @@ def sources(home: Path) -> list[Path]:
 def own_sources(static) -> set[Path | None]:
     """The files of classes in `static` that do not come with exoid: they are in the program.
 
-    None stands for a class that has no file.
+    None stands for a class that has no file, or that its module has not by its name: one made while
+    a program runs, as a formula is, of which the next may be another.
     """
     if isinstance(static, tuple):
         return {path for part in static for path in own_sources(part)}
     if not isinstance(static, type) or static.__module__.partition(".")[0] == "exoid":
         return set()
     try:
-        return {Path(inspect.getfile(static))}
-    except (OSError, TypeError):
+        named = attrgetter(static.__qualname__)(sys.modules.get(static.__module__))
+        return {Path(inspect.getfile(static)) if named is static else None}
+    except (AttributeError, OSError, TypeError):
         return {None}
 
 
