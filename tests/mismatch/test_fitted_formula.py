@@ -4,7 +4,6 @@ from typing import Any
 
 import jax.numpy as jnp
 import numpy as np
-
 from diagnosis_cases import Detent
 
 from exoid.fitting.solve.compiled.kept_program import own_sources

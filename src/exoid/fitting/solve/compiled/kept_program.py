@@ -105,13 +105,24 @@ def own_sources(static) -> set[Path | None]:
     """
     if isinstance(static, tuple):
         return {path for part in static for path in own_sources(part)}
-    if not isinstance(static, type) or static.__module__.partition(".")[0] == "exoid":
+    if not isinstance(static, type):
+        return set()
+    if not known_again(static):
+        return {None}
+    if static.__module__.partition(".")[0] == "exoid":
         return set()
     try:
-        named = attrgetter(static.__qualname__)(sys.modules.get(static.__module__))
-        return {Path(inspect.getfile(static)) if named is static else None}
-    except (AttributeError, OSError, TypeError):
+        return {Path(inspect.getfile(static))}
+    except (OSError, TypeError):
         return {None}
+
+
+def known_again(static: type) -> bool:
+    """Has its module the class by its name?"""
+    try:
+        return attrgetter(static.__qualname__)(sys.modules[static.__module__]) is static
+    except (AttributeError, KeyError):
+        return False
 
 
 def load(path: Path, arguments: int, results: int) -> jax.stages.Compiled | None:
