@@ -5,9 +5,7 @@ but by its ends, where the angle jumps as it does nowhere beside, or by the gyro
 meanwhile. What an encoder shows at rest is repeated as well, and stays.
 """
 
-from collections.abc import Iterator
 from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +13,7 @@ from numpy.typing import NDArray
 from exoid.files.text_file import Notes
 from exoid.recordings.recording import Recording, Segment
 from exoid.recordings.samples import Samples
+from exoid.recordings.signal.condition import runs
 
 FEWEST = 3  # times in a row; what is shorter is a spike
 LEAST = float(np.radians(5.0))  # by which an angle jumps, or its gyro turns meanwhile
@@ -59,10 +58,10 @@ def lost(time: Samples, angle: Samples, rate: Samples | None) -> NDArray[np.bool
     return found
 
 
-def repeated(samples: Samples) -> Iterator[tuple[int, int]]:
+def repeated(samples: Samples) -> list[tuple[int, int]]:
     """Where a value is the same at least FEWEST times: from the first to behind the last."""
-    bounds = [0, *np.flatnonzero(np.diff(samples) != 0.0) + 1, samples.size]
-    return ((a, b) for a, b in pairwise(bounds) if b - a >= FEWEST)
+    each = [(first, last + 2) for first, last in runs(np.diff(samples) == 0.0)]
+    return [(first, behind) for first, behind in each if behind - first >= FEWEST]
 
 
 def jumps(steps: Samples) -> bool:
