@@ -132,7 +132,7 @@ def draw_line(role: Role, x: Values, y: Values, place: Place) -> None:
 def draw_cloud(mark: Cloud, place: Place) -> None:
     """Marks that point up where the value is positive, in its colour."""
     kept = thinned(mark.x)
-    value, (title, _, unit) = mark.value[kept], mark.label.rstrip("]").partition(" [")
+    value, (title, _, unit) = mark.value[kept], tidy(mark.label).rstrip("]").partition(" [")
     look = {
         "size": 7,
         "symbol": np.where(value > 0, "triangle-up", "triangle-down"),

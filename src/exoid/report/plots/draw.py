@@ -105,7 +105,7 @@ def draw_cloud(axes: Axes, cloud: Cloud) -> None:
     shown = axes.scatter(cloud.x, cloud.y, c=cloud.value, **look)
     figure = axes.get_figure()
     assert figure is not None  # axes that are drawn on are of one
-    figure.colorbar(shown, ax=axes, label=cloud.label, shrink=0.9)
+    figure.colorbar(shown, ax=axes, label=with_mathtext(cloud.label), shrink=0.9)
 
 
 def draw_span(axes: Axes, span: Span) -> None:
