@@ -1,4 +1,4 @@
-"""Samples that a buffer gives in batches, and times that come one by one."""
+"""Samples that a buffer gives in batches, that a computer stamps late, and right times."""
 
 import numpy as np
 import pytest
@@ -47,3 +47,30 @@ def test_it_is_said():
     assert made.segments[0].time[0] == 0.0
     even = exoid.Recording((exoid.Segment(TAKEN, raw_angle=np.cos(5 * TAKEN)),))
     assert unbatched(even) == (even, ())
+
+
+def swinging(taken: np.ndarray, stamps: np.ndarray, seed: int = 2) -> exoid.Recording:
+    """An angle that scatters by 0.1 deg, taken at some times and stamped at others."""
+    noise = np.radians(0.1) * np.random.default_rng(seed).normal(size=taken.size)
+    angle = np.cos(5 * taken) * np.exp(-0.3 * taken) - 1.5 + noise
+    return exoid.Recording((exoid.Segment(stamps - stamps[0], raw_angle=angle),))
+
+
+def test_samples_that_were_taken_evenly_say_so():
+    """Pairs 5 ms apart, and stamps that are off by 2 ms each."""
+    random = np.random.default_rng(3)
+    for stamps in (stamped(2, 5e-3), np.sort(TAKEN + 2e-3 * random.normal(size=600))):
+        made, (note,) = unbatched(swinging(TAKEN, stamps))
+        assert note.startswith("times are off, each by its own")
+        assert np.ptp(made.segments[0].time) == pytest.approx(np.ptp(TAKEN), rel=5e-4)
+        assert np.ptp(np.diff(made.segments[0].time)) < 1e-9
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_times_at_which_samples_were_taken_stay(seed):
+    """Uneven ones, and even ones that are stamped with less error than shows in the noise."""
+    random = np.random.default_rng(seed)
+    uneven = TAKEN + random.uniform(0, 8e-3, size=600)
+    nearly = np.sort(TAKEN + 1e-4 * random.normal(size=600))
+    for recording in (swinging(uneven, uneven, seed), swinging(TAKEN, nearly, seed)):
+        assert unbatched(recording) == (recording, ())

@@ -18,6 +18,7 @@ from exoid.recordings.conventions.file_clock import (
     wrong_clock,
 )
 from exoid.recordings.conventions.gyro_agreement import dead_gyro, wrong_sign, wrong_unit
+from exoid.recordings.conventions.held_values import without_held
 from exoid.recordings.conventions.lost_samples import without_lost_samples
 from exoid.recordings.conventions.mounting import settled, turned
 from exoid.recordings.conventions.other_leg import another_leg
@@ -45,10 +46,11 @@ def understand(
     """
     refuse(wrong_clock(recording))
     recording = from_first_sample(recording)
+    recording, held = (recording, ()) if whole else without_held(recording)
     recording, batched = (recording, ()) if whole else unbatched(recording)
     recording, notes = turned(told(recording, flip, zero))
     refuse(tiny(recording) or dead_gyro(recording) or wrong_unit(recording))
-    notes = (*unlike_rate(recording), *batched, *notes)
+    notes = (*unlike_rate(recording), *held, *batched, *notes)
     if not whole:
         recording, lost = without_lost_samples(recording)
         recording, averaged = thinned(recording)
