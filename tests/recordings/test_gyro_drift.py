@@ -5,7 +5,7 @@ import tracemalloc
 import numpy as np
 import pytest
 
-from exoid.recordings.signal.gyro_drift import gyro_drift
+from exoid.recordings.signal.both_sensors.gyro_drift import gyro_drift
 
 ANGLE, RATE = 0.0008, 0.005  # noise, rad and rad/s
 TIME = np.arange(0, 8, 0.01)

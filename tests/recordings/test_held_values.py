@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 import exoid
 from exoid.recordings.conventions.held_values import without_held
 
-TIME = 0.01 * np.arange(500)
+TIME = np.linspace(0.0, 4.99, 500)
 LEG = solve_ivp(
     lambda _, y: [y[1], -27.0 * np.cos(y[0]) - 4.0 * y[0] - 0.6 * y[1]],
     (0.0, 5.0),

@@ -1,7 +1,7 @@
 """What encoder and gyro can do wrong against each other, each by what it adds to the gyro's rate.
 
 The motion is the one that the encoder shows: where that errs, the gyro seems to err the other way.
-What drifts slowly is taken out before (`recordings/signal/gyro_drift.py`).
+What drifts slowly is taken out before (`recordings/signal/both_sensors`).
 """
 
 from collections.abc import Callable

@@ -97,7 +97,7 @@ def beginning(samples: Samples) -> Mask:
 def of_runs(starts: Mask, moves: Mask) -> NDArray[np.int_]:
     """How often a value stands in a row, of those that begin where the signal moves."""
     at = np.flatnonzero(starts)
-    return np.diff([*at, starts.size])[moves[at]]
+    return np.diff(at, append=starts.size)[moves[at]]
 
 
 def repeated(starts: Mask, moves: Mask, often: int) -> Mask:

@@ -1,4 +1,4 @@
-"""A recording without what only a sensor can have done: single spikes, tones, drift."""
+"""A recording without what only a sensor can have done: single spikes, tones, drift, play."""
 
 import operator
 from dataclasses import dataclass, replace
@@ -8,7 +8,8 @@ import numpy as np
 
 from exoid.recordings.recording import Recording, Segment
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.gyro_drift import gyro_drift
+from exoid.recordings.signal.both_sensors.gyro_drift import gyro_drift
+from exoid.recordings.signal.both_sensors.play import find_play
 from exoid.recordings.signal.noise import Noise, declared_angle_noise, noise_of
 from exoid.recordings.signal.spikes import spikes_of
 from exoid.recordings.signal.tone import find_tone, without_tone
@@ -26,9 +27,9 @@ class Cleaned:
 
 @lru_cache(maxsize=8)  # every segment of a recording asks for it
 def clean(recording: Recording) -> Cleaned:
-    """Leave out spikes and take out tones and a gyro's drift, in the channels that are fitted.
+    """Leave out spikes, take out tones, a gyro's drift and play, in the channels that are fitted.
 
-    What the firmware's filter gave is left as it is: neither can be seen in it.
+    What the firmware's filter gave is left as it is: none can be seen in it.
     """
     angle, velocity = fitted_channels(recording)
     signals = [getattr(each, angle) for each in recording.segments]
@@ -40,6 +41,7 @@ def clean(recording: Recording) -> Cleaned:
         recording, velocity_noise = clean_channel(recording, velocity, declared)
         if not filtered(recording.segments[0]):
             recording, velocity_noise = steady_gyro(recording, angle_noise, velocity_noise)
+            recording, angle_noise = without_play(recording, angle_noise)
     return Cleaned(recording, angle_noise, velocity_noise)
 
 
@@ -113,3 +115,18 @@ def steady_gyro(recording: Recording, angle: Noise, gyro: Noise) -> tuple[Record
     ]
     size = float(np.sqrt(np.mean(np.concatenate(drifts) ** 2)))
     return replace(recording, segments=tuple(segments)), replace(gyro, drift=size)
+
+
+def without_play(recording: Recording, noise: Noise) -> tuple[Recording, Noise]:
+    """The same with the angle of a leg that its encoder follows without play."""
+    pairs = [
+        (each.time, each.raw_angle, each.raw_angular_velocity)
+        for each in recording.segments
+        if each.raw_angle is not None and each.raw_angular_velocity is not None
+    ]
+    found = find_play(pairs, noise.level) if len(pairs) == len(recording.segments) else None
+    if found is None:
+        return recording, noise
+    play, lags = found
+    angles = [angle - lag for (_, angle, _), lag in zip(pairs, lags, strict=True)]
+    return with_channel(recording, "raw_angle", angles), replace(noise, play=play)

@@ -6,6 +6,7 @@ import numpy as np
 
 from exoid.recordings.recording import Sensors
 from exoid.recordings.samples import Samples, usual_step
+from exoid.recordings.signal.both_sensors.play import Play
 from exoid.recordings.signal.neighbours import Known, known_of
 from exoid.recordings.signal.scatter import FAR, FEWEST, NONE, quantum, robust_deviation
 from exoid.recordings.signal.tone import Tone
@@ -38,6 +39,7 @@ class Noise:
     samples: int = 0
     tone: Tone | None = None  # taken out
     drift: float | None = None  # of a gyro's zero, root mean square; taken out
+    play: Play | None = None  # between a leg and its encoder; taken out
     alike_over: float = 0.0  # s over which errors are alike, of an angle that was smoothed
 
     @property

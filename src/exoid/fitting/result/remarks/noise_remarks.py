@@ -4,6 +4,7 @@ from math import degrees
 
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.model.systematics import by_recording
+from exoid.recordings.signal.both_sensors.play import Play
 from exoid.recordings.signal.noise import Noise
 
 
@@ -37,6 +38,15 @@ def times_off(movement: Movement) -> str:
     return " and ".join(f"{1e3 * jitter:.2g} ms by the {name}" for name, jitter in each)
 
 
+def of_play(play: Play) -> str:
+    """How much there is between a leg and its encoder."""
+    return (
+        f"the encoder stands still over {degrees(play.width):.2f} ± "
+        f"{degrees(play.standard_error):.2g} deg where the leg turns back: play between the two. "
+        "The gyro tells, and it was taken out."
+    )
+
+
 def of_channel(noise: Noise, channel: str, unit: str) -> list[str]:
     """Spikes, tones, smoothing, tails, and a declaration that the samples contradict."""
     said = []
@@ -55,6 +65,8 @@ def of_channel(noise: Noise, channel: str, unit: str) -> list[str]:
             f"the zero of the {channel} wanders by {degrees(noise.drift):.2g} {unit} (root mean "
             "square); the encoder tells, and it was taken out."
         )
+    if noise.play is not None:
+        said.append(f"{of_play(noise.play)} Tighten what couples the two.")
     if noise.alike_over:
         said.append(
             f"the {channel} was smoothed or interpolated before it came here: its errors are alike "

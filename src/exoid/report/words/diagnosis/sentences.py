@@ -1,6 +1,6 @@
 """A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
 
-from exoid.fitting.result.remarks.noise_remarks import times_off
+from exoid.fitting.result.remarks.noise_remarks import of_play, times_off
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.answer.over_inertia import guessed
 from exoid.report.words.diagnosis.asserted import only_sensors, parted
@@ -55,7 +55,7 @@ def where(found: Diagnosis) -> str:
 
 def sensors(found: Diagnosis) -> str:
     """What encoder and gyro say of each other, and of their times."""
-    return " ".join(filter(None, (of_each_other(found), of_times(found))))
+    return " ".join(filter(None, (of_each_other(found), of_plays(found), of_times(found))))
 
 
 def of_each_other(found: Diagnosis) -> str:
@@ -65,6 +65,13 @@ def of_each_other(found: Diagnosis) -> str:
     if not clear:
         return "encoder and gyro agree."
     return f"encoder and gyro differ as if by {', '.join(map(parameter, clear))}."
+
+
+def of_plays(found: Diagnosis) -> str:
+    """The play between leg and encoder, of every recording that has some."""
+    movements = found.before.basis.problem.movements if found.before.basis else []
+    plays = dict.fromkeys(each.noise.play for each in movements if each.noise.play is not None)
+    return " ".join(f"{said[0].upper()}{said[1:]}" for said in map(of_play, plays))
 
 
 def of_times(found: Diagnosis) -> str:
