@@ -10,6 +10,7 @@ from exoid.fitting.result.remarks.anatomy_remarks import (
     from_anatomy,
     unlike_anatomy,
 )
+from exoid.fitting.result.remarks.stopped_remarks import of_stopped
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.evidence.proof import masked
@@ -36,11 +37,12 @@ APART = 0.05  # relative, by which the slowest must be slower than the fastest
 def too_little(prepared: PreparedRecording) -> list[str]:
     """Why hardly anything could be seen in this recording, in sentences; none where it could."""
     reasons = []
-    duration = sum(each.segment.time[-1] for each in prepared.problem.movements)
+    movements = prepared.problem.movements
+    duration = sum(each.segment.time[-1] for each in movements)
     if duration < SHORTEST:
-        reasons.append(
+        reasons += of_stopped(movements) or [
             f"{duration:.1f} s of movement are too short: record drops until the leg rests"
-        )
+        ]
     low, high = prepared.range
     if high - low < QUIETEST * min(prepared.scale.angle, 1.0):
         reasons.append(

@@ -11,6 +11,7 @@ from exoid.fitting.multistart.search_result import FEASIBLE, SearchResult, scale
 from exoid.fitting.result.remarks.anatomy_remarks import of_anatomy
 from exoid.fitting.result.remarks.gyro_remarks import of_late_gyro, of_unused_gyro
 from exoid.fitting.result.remarks.noise_remarks import noise_remarks
+from exoid.fitting.result.remarks.stopped_remarks import of_stopped
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
@@ -38,6 +39,7 @@ def remarks(problem: Problem, ended: SearchResult, at_bound: set[str]) -> list[s
     guessed = [each for each in problem.movements if not each.kind_said]
     rig = problem.belief.rig
     said += of_impossible(problem, ended)
+    said += [f"{each}." for each in of_stopped(problem.movements)]
     if guessed:
         each = ", ".join(f"{one.name} {one.kind}" for one in guessed)
         said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")

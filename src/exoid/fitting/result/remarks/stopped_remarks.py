@@ -1,0 +1,25 @@
+"""What the user should know of drops that are stopped before they tell anything."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from exoid.fitting.data.movement import Movement
+
+SWING = 0.75  # s; a leg that is let go turns back after about half a second
+
+
+def of_stopped(movements: Sequence[Movement]) -> list[str]:
+    """That something stops the leg in every drop before it has swung to and fro."""
+    ends = [each for each in movements if each.extent and each.extent.ended == "caught"]
+    longest = max((float(each.segment.time[-1]) for each in ends), default=np.inf)
+    if len(ends) < len(movements) or longest > SWING:
+        return []
+    places = np.degrees([each.angle[~np.isnan(each.angle)][-1] for each in ends])
+    low, high = f"{places.min():.0f}", f"{places.max():.0f}"
+    where = f"{low} deg" if low == high else f"{low} to {high} deg"
+    return [
+        f"every drop is stopped within {longest:.2g} s, at {where}, as by a hand or by what the "
+        "leg meets there (a seat, a bench), which is too short a swing to tell much of a leg. Let "
+        "it swing until it hangs still"
+    ]
