@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import exoid
-from exoid.recordings.conventions.lost_samples import lost, without_lost_samples
+from exoid.recordings.conventions.lost_samples import lost, without_lost_samples, zeros
 
 TIME = 0.01 * np.arange(500)
 PHASE, FALL = 5.0 * TIME, np.exp(-0.6 * TIME)
@@ -50,7 +50,43 @@ def test_it_is_said_where_and_a_rig_is_left_alone():
     angle[HOLE] = 0.0
     mended, (note,) = without_lost_samples(recorded(angle))
     assert np.isnan(mended.segments[0].best_angle).sum() == 40
-    assert note.startswith("40 samples of the angle between 1.50 and 1.89 s repeat a value")
+    assert note.startswith("samples (40 of the angle) between 1.50 and 1.89 s repeat a value")
     same, notes = without_lost_samples(recorded(angle, kind="rig"))
     assert notes == ()
     assert same.segments[0].best_angle[HOLE.start] == 0.0
+
+
+@pytest.mark.parametrize("count", [1, 2, 5])
+def test_zeros_of_a_gyro_that_turns_before_and_after_are_none(count):
+    """Whatever the encoder shows there."""
+    random = np.random.default_rng(0)
+    fast = np.flatnonzero(np.abs(RATE) > 1.0)[5::40]
+    for empty in (False, True):
+        angle, rate = ANGLE + 2e-3 * random.normal(size=TIME.size), RATE.copy()
+        gone = np.zeros(TIME.size, dtype=bool)
+        for at in fast:
+            gone[at : at + count] = True
+        rate[gone] = 0.0
+        angle[gone & empty] = 0.0
+        assert zeros(TIME, angle, rate).tolist() == gone.tolist()
+
+
+def test_true_zeros_of_a_gyro_stay():
+    """Of a coarse one where the leg turns, and of one that rests before and after a blow."""
+    coarse = np.round(RATE / 0.3) * 0.3
+    assert (coarse == 0.0).sum() > 50
+    assert not zeros(TIME, ANGLE, coarse).any()
+    struck = np.where((TIME > 1.0) & (TIME < 1.05), 5.0, 0.0)
+    turned = np.where(TIME > 1.0, np.minimum(5.0 * (TIME - 1.0), 0.25), 0.0) - 1.0
+    assert not zeros(TIME, turned, struck).any()
+
+
+def test_it_is_said_of_a_gyro_and_what_it_holds_with_the_angle_goes_too():
+    angle, rate = ANGLE.copy(), RATE.copy()
+    angle[HOLE], rate[HOLE] = angle[HOLE.start], rate[HOLE.start]
+    segment = exoid.Segment(TIME, raw_angle=angle, raw_angular_velocity=rate)
+    mended, (note,) = without_lost_samples(exoid.Recording((segment,)))
+    assert note.startswith("samples (40 of the angle and 39 of the gyro) between 1.50 and")
+    seen = mended.segments[0].raw_angular_velocity
+    assert seen is not None
+    assert np.isnan(seen).sum() == 39

@@ -1,8 +1,9 @@
-"""Samples of an angle that nobody measured: a value that is repeated while the leg moves on.
+"""Samples that nobody measured: what is repeated, or a gyro's zero, while the leg moves on.
 
 A logger that hears nothing writes zeros, or the last value once more. Neither is told by the value
 but by its ends, where the angle jumps as it does nowhere beside, or by the gyro, which turns
-meanwhile. What an encoder shows at rest is repeated as well, and stays.
+meanwhile. What an encoder shows at rest is repeated as well, and stays. A gyro's zeros are told by
+the encoder, and by its own rates before and after.
 """
 
 from dataclasses import replace
@@ -19,6 +20,7 @@ FEWEST = 3  # times in a row; what is shorter is a spike
 LEAST = float(np.radians(5.0))  # by which an angle jumps, or its gyro turns meanwhile
 ALONE, BESIDE = 4.0, 5  # times the greatest of so many steps on its other side, of a jump
 MOVES = 0.5  # rad/s in the mean, which is no gyro's bias
+GYRO = "raw_angular_velocity"
 RATES = {"raw_angle": "raw_angular_velocity", "angle": "angular_velocity"}
 
 
@@ -36,13 +38,47 @@ def without_lost_samples(recording: Recording) -> tuple[Recording, Notes]:
 
 
 def lost_in(segment: Segment) -> dict[str, NDArray[np.bool_]]:
-    """Which samples of every channel of the angle nobody measured."""
+    """Which samples of every channel nobody measured."""
     channels = segment.channels()
-    return {
+    found = {
         name: lost(segment.time, channels[name], channels.get(rate))
         for name, rate in RATES.items()
         if name in channels
     }
+    if segment.raw_angle is not None and segment.raw_angular_velocity is not None:
+        rate = segment.raw_angular_velocity
+        again = found["raw_angle"] & (np.diff(rate, prepend=np.nan) == 0.0)
+        found[GYRO] = again | zeros(segment.time, segment.raw_angle, rate)
+    return found
+
+
+def zeros(time: Samples, angle: Samples, rate: Samples) -> NDArray[np.bool_]:
+    """Which samples of a gyro [rad/s] are zero though it turns one way before and after, and the
+    angle [rad] goes on meanwhile.
+    """
+    found = np.zeros(rate.size, dtype=bool)
+    for first, last in runs(rate == 0.0):
+        if first > 0 and last + 1 < rate.size:
+            before, after = slice(max(first - BESIDE, 0), first), slice(last + 1, last + 1 + BESIDE)
+            slope = slope_between(time, angle, before, after)
+            found[first : last + 1] = goes_on(rate[first - 1], rate[last + 1], slope)
+    return found
+
+
+def slope_between(time: Samples, angle: Samples, before: slice, after: slice) -> float:
+    """From the middle of some samples to that of others, whatever single ones show [rad/s]; nan
+    where none is known.
+    """
+    if np.isnan(angle[before]).all() or np.isnan(angle[after]).all():
+        return np.nan
+    went = float(np.nanmedian(angle[after]) - np.nanmedian(angle[before]))
+    return went / float(np.median(time[after]) - np.median(time[before]))
+
+
+def goes_on(before: float, after: float, slope: float) -> bool:
+    """Do two rates go one way, and a slope between them no less than half as fast?"""
+    way = np.sign(before)
+    return bool(min(way * before, way * after) > MOVES and way * slope > abs(before + after) / 4)
 
 
 def lost(time: Samples, angle: Samples, rate: Samples | None) -> NDArray[np.bool_]:
@@ -86,12 +122,18 @@ def without(segment: Segment, lost: dict[str, NDArray[np.bool_]]) -> Segment:
 
 def told(segment: Segment, lost: dict[str, NDArray[np.bool_]]) -> str:
     """How many samples are left out, and when; nothing where none is."""
-    places = np.flatnonzero(np.logical_or.reduce([*lost.values()]))
-    if not places.size:
+    places = {
+        "of the angle": [mask for name, mask in lost.items() if name != GYRO],
+        "of the gyro": [mask for name, mask in lost.items() if name == GYRO],
+    }
+    found = {whose: np.flatnonzero(np.logical_or.reduce(each)) for whose, each in places.items()}
+    counts = [f"{each.size} {whose}" for whose, each in found.items() if each.size]
+    if not counts:
         return ""
-    first, last = segment.begins + segment.time[places[[0, -1]]]
+    every = np.concatenate([*found.values()])
+    first, last = segment.begins + segment.time[[every.min(), every.max()]]
     return (
-        f"{places.size} samples of the angle between {first:.2f} and {last:.2f} s repeat a value "
-        "while the leg moves on, as where none was measured: they are left out. Leave such cells "
-        "empty."
+        f"samples ({' and '.join(counts)}) between {first:.2f} and {last:.2f} s repeat a value or "
+        "are zero while the leg moves on, as where none was measured: they are left out. Leave "
+        "such cells empty."
     )
