@@ -82,9 +82,9 @@ def in_one_round(pieces: list[Turned], noise: float) -> Found | None:
     if without < SMALL * freedom * noise**2:
         return None
     near, squares = finest(pieces)
-    if squares[1] > FALLS * without:
-        return None
     bend = 2 * float(np.polyfit(near - near[1], squares, 2)[0])
+    if squares[1] > FALLS * without or bend <= 0:
+        return None
     play = Play(float(near[1]), float(np.sqrt(2 * squares[1] / freedom / bend)))
     return Found(play, lateness(pieces, play.width), float(squares[1] / freedom / noise**2))
 
