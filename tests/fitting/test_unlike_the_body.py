@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.misfit.uncertainty import Shares
@@ -15,7 +16,7 @@ from exoid.fitting.result.remarks.added_mass_remarks import same_swing
 from exoid.fitting.result.remarks.anatomy_remarks import at_rate, length_of
 from exoid.fitting.result.remarks.scale_remarks import POUND, away, of_scale
 from exoid.physics.leg import GRAVITY
-from exoid.recordings.recording import Recording
+from exoid.recordings.recording import Protocol, Recording, Segment
 from fit_cases import BODY, DROP, LOADED, recorded
 
 BY_DATA, BY_PRIOR = Shares(1.0, 0.0, 0.0), Shares(0.0, 1.0, 0.0)
@@ -142,3 +143,54 @@ def test_a_mass_at_another_distance_is_told_by_its_distance(gyration):
     assert ("if its radius of gyration is the usual 0.05 m" in why) == (gyration is None)
     acts = float(why.partition("acts as one at ")[2].partition(" m")[0])
     assert acts == pytest.approx(0.4, abs=0.02)  # the tape's 5 mm pull it
+
+
+def swings(inertia: float, weight: float) -> tuple[np.ndarray, np.ndarray]:
+    """A leg let go at -20 deg that weighs m l g about its knee, by SciPy: time and angle."""
+    time = np.arange(0.0, 4.0, 0.01)
+
+    def slope(_: float, state: np.ndarray) -> list[float]:
+        angle, velocity = state
+        torque = -weight * np.cos(angle) - 1.6 * angle - 0.25 * velocity
+        return [velocity, torque / inertia]
+
+    start = [np.radians(-20.0), 0.0]
+    solved = solve_ivp(slope, (0.0, 4.0), start, t_eval=time, rtol=1e-9, atol=1e-10)
+    return time, solved.y[0]
+
+
+def with_mass(at: float, gyration: float, declared: float) -> Recording:
+    """One drop without, one with 1 kg that hangs `at` a distance, and another that is declared."""
+    rng = np.random.default_rng(3)
+    bare = swings(0.41, 11.0)
+    heavy = swings(0.41 + at**2 + gyration**2, 11.0 + GRAVITY * at)
+    segments = [
+        Segment(time, raw_angle=angle + rng.normal(0.0, 1.7e-3, time.size))
+        for time, angle in (bare, heavy)
+    ]
+    subject = replace(BODY, added_mass=(0.0, 1.0), added_mass_distance=declared)
+    return Recording(tuple(segments), subject, Protocol(kind="passive"))
+
+
+def test_a_distance_that_does_not_agree_with_the_motion_leaves_nothing_but_ratios():
+    """8 cm short, as from a wrong mark: no cuff extends so far that it would swing like that."""
+    found = fit(with_mass(at=0.38, gyration=0.0, declared=0.30), multistart=4)
+    (told,) = (note for note in found.notes if "does not agree with how the leg moves" in note)
+    acts = float(told.partition("acts as one at ")[2].partition(" m")[0])
+    assert acts == pytest.approx(0.38, abs=0.015)  # the usual extent, 5 cm, is 7 mm of it
+    assert {each.value for each in found.parameters.values()} == {None}
+    ratio = found.ratios["gravity_over_inertia"]
+    assert ratio.value is not None
+    assert ratio.standard_error is not None
+    assert abs(ratio.value - 11.0 / 0.41) < 3 * ratio.standard_error
+
+
+@pytest.mark.parametrize(("gyration", "off"), [(0.0, 0.005), (0.05, -0.005), (0.1, 0.0)])
+def test_a_mass_where_it_is_said_to_hang_is_believed(gyration, off):
+    """By a tape that is 5 mm off, of any extent that is believed."""
+    found = fit(with_mass(0.38, gyration, declared=0.38 + off), multistart=4)
+    assert not any("does not agree with how the leg moves" in note for note in found.notes)
+    inertia = found.parameters["inertia"]
+    assert inertia.value is not None
+    assert inertia.standard_error is not None
+    assert abs(inertia.value - 0.41) < 3.3 * inertia.standard_error

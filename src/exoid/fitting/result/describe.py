@@ -39,6 +39,7 @@ from exoid.fitting.result.fit_result import (
 )
 from exoid.fitting.result.limiting_systematics import granted, limiting, suspicions
 from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings
+from exoid.fitting.result.remarks.added_mass_remarks import misplaced, of_misplaced
 from exoid.fitting.result.remarks.remarks import limits_met, of_astray, remarks
 from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.fitting.result.remarks.slack_angle import (
@@ -48,7 +49,7 @@ from exoid.fitting.result.remarks.slack_angle import (
     slack_angle_remarks,
 )
 from exoid.fitting.result.remarks.zero_remarks import of_far_zeros
-from exoid.fitting.result.untold import without_lost
+from exoid.fitting.result.untold import without_lost, without_scale
 from exoid.fitting.solve.ask import around, finite, take
 from exoid.fitting.solve.problem import Problem
 from exoid.recordings.conventions.jumps import jumping
@@ -104,6 +105,8 @@ def describe(
         basis=basis,
     )
     told = without_lost(result)
+    if misplaced(problem, ended):
+        told = without_scale(told)
     errors = [told.ratios[each].standard_error or 0.0 for each in LEANING]
     slack = left_open(problem, ended, errors)
     said = notes(told, basis, at_bound, slack)
@@ -124,6 +127,7 @@ def notes(result: FitResult, basis: Basis, at_bound: set[str], slack: Leaning | 
     problem, ended = basis.problem, basis.ended
     return [
         *of_astray(result.astray, problem.belief, len(problem.recordings) > 1),
+        *(of_misplaced(problem, ended) if result.follows else []),
         *of_the_rest(result.segments, ended.disturbance),
         *remarks(problem, ended, at_bound),
         *of_scale(result.parameters, result.segments),

@@ -2,10 +2,16 @@
 
 from dataclasses import replace
 
+from exoid.fitting.misfit.uncertainty import HELD
 from exoid.fitting.result.agreement import lost, unbelieved
 from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
+from exoid.fitting.result.limiting_systematics import chief
 
 TORQUE = "torque_over_inertia"
+MISPLACED = (
+    "the distance of the added mass, by which the leg is weighed, does not agree with how it moves"
+)
+GOES = ("over", "times")  # J: what motion alone tells of a parameter that goes with it
 
 
 def without_lost(result: FitResult) -> FitResult:
@@ -40,6 +46,36 @@ def without_lost(result: FitResult) -> FitResult:
         terms={term: of_all(own) for term, own in result.terms.items()},
         segments=[of_segment(each) for each in result.segments],
         torque_amplitude=without_value(mean, why) if mean is not None and driven & kinds else mean,
+    )
+
+
+def without_scale(result: FitResult) -> FitResult:
+    """The same without what goes with the distance of an added mass, where that is in doubt and
+    limits J: all but the ratios to J.
+    """
+    most = chief(result.parameters["inertia"])
+    if most is None or not most[0].startswith("added_mass"):
+        return result
+
+    def kept(each: Estimate) -> Estimate:
+        known = each.by_hand == "fix" or each.shares in (None, HELD)
+        return each if known else without_value(each, MISPLACED)
+
+    def of_term(own: dict[str, Estimate]) -> dict[str, Estimate]:
+        scaled = {name for name in own if {f"{name}_{goes}_inertia" for goes in GOES} & own.keys()}
+        return {name: kept(each) if name in scaled else each for name, each in own.items()}
+
+    def of_segment(each: SegmentFit) -> SegmentFit:
+        torque = each.torque_amplitude
+        return replace(each, torque_amplitude=torque and kept(torque))
+
+    mean = result.torque_amplitude
+    return replace(
+        result,
+        parameters={name: kept(each) for name, each in result.parameters.items()},
+        terms={term: of_term(own) for term, own in result.terms.items()},
+        segments=[of_segment(each) for each in result.segments],
+        torque_amplitude=mean and kept(mean),
     )
 
 

@@ -1,10 +1,12 @@
 """That a mass on the leg is another one, or hangs elsewhere, than is declared."""
 
 from collections.abc import Callable
-from math import exp, sqrt
+from math import exp, hypot, sqrt
 
 from exoid.fitting.data.movement import Movement
+from exoid.fitting.model.systematics import OF_THE_MASS
 from exoid.fitting.multistart.search_result import SearchResult
+from exoid.fitting.result.remarks.anatomy_remarks import STRANGE
 from exoid.fitting.solve.problem import Problem
 
 
@@ -12,20 +14,59 @@ def of_added_mass(problem: Problem, ended: SearchResult, field: str, entry: int)
     """What the fit takes the mass of a recording for, where it moves a `field` of its mounting too
     far. Its distance comes before its extent, which hardly anybody measures.
     """
-    own = problem.recordings[entry]
-    each = next(one for one in own if one.added_mass > 0)
-    whose = f" of {own[0].source}" if len(problem.recordings) > 1 else ""
-
-    def found(name: str) -> float:
-        estimated = problem.estimates(name, entry)
-        return float(getattr(ended.point.mounting, name)[entry]) if estimated else 0.0
-
+    each, whose = loaded(problem, entry)
+    found = found_of(problem, ended, entry)
     if field == "log_added":
         return (
             f"it takes the added mass{whose} to be {each.added_mass * exp(found(field)):.3g} kg, "
             f"where {each.added_mass:.3g} kg is declared"
         )
     return f"the added mass{whose} acts as one at {acting(each, found)}"
+
+
+def misplaced(problem: Problem, ended: SearchResult) -> list[int]:
+    """The recordings whose mass moves as hardly any would that hangs as declared.
+
+    Motion shows one length of a mass, r + k^2 / r: r and k leave what is declared together.
+    """
+
+    def away(entry: int) -> float:
+        found = found_of(problem, ended, entry)
+        moved = [name for name in OF_THE_MASS if found(name)]
+        return hypot(*(found(name) / problem.deviation_of(name)[entry] for name in moved))
+
+    return [entry for entry in range(len(problem.recordings)) if away(entry) > STRANGE]
+
+
+def of_misplaced(problem: Problem, ended: SearchResult) -> list[str]:
+    """Where each of these masses would hang, and what to do."""
+    said = []
+    for entry in misplaced(problem, ended):
+        each, whose = loaded(problem, entry)
+        said.append(
+            f"the declared distance of the added mass{whose} does not agree with how the leg "
+            f"moves: it acts as one at {acting(each, found_of(problem, ended, entry))}. Measure "
+            "from the axis of the knee to the middle of the mass, and give added_mass_distance_m "
+            "and added_mass_gyration_m. The ratios to J hold."
+        )
+    return said
+
+
+def loaded(problem: Problem, entry: int) -> tuple[Movement, str]:
+    """The first movement of a recording with a mass, and whose that is, where there are several."""
+    own = problem.recordings[entry]
+    whose = f" of {own[0].source}" if len(problem.recordings) > 1 else ""
+    return next(one for one in own if one.added_mass > 0), whose
+
+
+def found_of(problem: Problem, ended: SearchResult, entry: int) -> Callable[[str], float]:
+    """What the fit moves each number of a mounting by; 0 where it is none of its unknowns."""
+
+    def found(name: str) -> float:
+        estimated = problem.estimates(name, entry)
+        return float(getattr(ended.point.mounting, name)[entry]) if estimated else 0.0
+
+    return found
 
 
 def acting(each: Movement, found: Callable[[str], float]) -> str:
