@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from types import new_class
 from typing import Any, ClassVar
 
@@ -10,14 +11,15 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Float
 
-from exoid.mismatch.novel.dictionary import Feature, reshaped
+from exoid.mismatch.novel.dictionary import Feature, dictionary, reshaped
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.moment import Moment
-from exoid.physics.parameter import parameter
+from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import PhysicsTerm, Term
 
 FAINT, ONCE = 0.01, 0.75  # of its largest square, where it pauses; of its sum, that acts at once
 LARGEST = 100.0  # of a coefficient, either way
+BETWEEN = "; "  # the features of a formula, in the name of its term
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,11 +105,11 @@ def term_of(formula: Formula) -> type[PhysicsTerm]:
         "__annotations__": {
             **dict.fromkeys(("title", "reference", "explanation", "isolate"), ClassVar[str]),
             "formula": ClassVar[Formula],
-            **dict.fromkeys((*names, *shapes), Any),
+            **dict.fromkeys((*names, *shapes), Parameter),
         },
         "__module__": __name__,
         # by which a kept program is known again: what it works out, but for the size of its parts
-        "__qualname__": "; ".join(f"{each.family.words} {each.shape!r}" for each in features),
+        "__qualname__": BETWEEN.join(map(spelled, features)),
         "formula": formula,
         "title": formula.words,
         "reference": "found by sparse regression on this recording",
@@ -123,6 +125,34 @@ def term_of(formula: Formula) -> type[PhysicsTerm]:
     for name, limit, value in zip((*names, *shapes), limits, formula.values, strict=True):
         body[name] = parameter(name, *limit, "", (float(value),))
     return new_class("Formula", (PhysicsTerm,), {}, lambda namespace: namespace.update(body))
+
+
+def spelled(feature: Feature) -> str:
+    """A family and a shape, as `features_called` reads them."""
+    return f"{feature.family.words} ({', '.join(map(repr, map(float, feature.shape)))})"
+
+
+def features_called(name: str) -> tuple[Feature, ...]:
+    """The features that the qualified name of a term spells; none where it spells no formula."""
+    families = {each.family.words: each.family for each in dictionary()}
+    found = []
+    for each in name.split(BETWEEN):
+        words, _, shape = each.removesuffix(")").rpartition(" (")
+        if words not in families:
+            return ()
+        sizes = tuple(map(float, shape.split(", "))) if shape else ()
+        found.append(Feature(families[words], sizes))
+    return tuple(found)
+
+
+@cache
+def term_called(name: str, values: tuple[float, ...]) -> type[PhysicsTerm]:
+    """The term of this name again, as of a saved result, with the values that it had there. What it
+    explained of a recording is no part of it.
+    """
+    features = features_called(name)
+    formula = Formula(features, np.ones(len(features)), np.nan, np.nan)
+    return term_of(formula.at(np.array(values)))
 
 
 def fitted_formula(terms: Sequence[Term]) -> Formula:

@@ -108,16 +108,13 @@ def fits(value: Any, hint: Any) -> bool:
     return hint is Any or isinstance(value, base(hint))
 
 
-def class_called(name: str, bases: Sequence[Any], own: Sequence[type]) -> type:
+def class_called(name: str, bases: Sequence[Any], own: Sequence[type]) -> type | None:
     """The class of this name among `bases`, exoid's classes below them, and a user's `own`."""
     theirs = [each for each in own if issubclass(each, tuple(bases))]
     for each in (*theirs, *(found for one in bases for found in family(one))):
-        if each.__name__ == name:
+        if each.__qualname__ == name:
             return each
-    raise DocumentError(
-        f"it holds the class {name}, which exoid does not have: a term of one's own. "
-        "Give the class by `terms`, or its file by --terms."
-    )
+    return None
 
 
 def family(of: type) -> Iterator[type]:

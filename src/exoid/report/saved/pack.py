@@ -66,7 +66,7 @@ def pack_record(one: Any, expected: Any, place: str, seen: dict[int, str]) -> Re
         name: pack(getattr(one, name), hint, f"{place}/{name}", seen)
         for name, hint in kept(of).items()
     }
-    return Record(inside if of is expected else {"class": of.__name__, **inside})
+    return Record(inside if of is expected else {"class": of.__qualname__, **inside})
 
 
 def pack_list(value: Any, said: Annotation, place: str, seen: dict[int, str]) -> list[Any]:

@@ -20,7 +20,7 @@ from exoid.report.saved.annotation import (
     kept,
     read,
 )
-from exoid.report.saved.node import OtherLayout, arrayed
+from exoid.report.saved.node import DocumentError, OtherLayout, arrayed
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ def unpack_record(node: Any, of: Sequence[type], place: str, by: Reader) -> Any:
     """A dataclass of one of these types, or one that was met before."""
     if "is" in node:
         return by.met[node["is"]]
-    exact = class_called(node["class"], of, by.own) if "class" in node else of[0]
+    exact = class_of(node, of, by.own) if "class" in node else of[0]
     hints = kept(exact)
     required = {each.name for each in fields(exact) if is_required(each)}
     for name in sorted((set(node) - {"class"} - set(hints)) | (required & set(hints) - set(node))):
@@ -77,6 +77,23 @@ def unpack_record(node: Any, of: Sequence[type], place: str, by: Reader) -> Any:
         if name in node
     }
     return by.met.setdefault(place, exact(**inside))
+
+
+def class_of(node: Any, of: Sequence[type], own: Sequence[type]) -> type:
+    """The class that a record names: of exoid, of a user, or of a formula that was found."""
+    from exoid.mismatch.novel.formula import features_called, term_called
+
+    name = node["class"]
+    if features_called(name):
+        sizes = [float(arrayed(each)) for field, each in node.items() if field != "class"]
+        return term_called(name, tuple(sizes))
+    found = class_called(name, of, own)
+    if found is None:
+        raise DocumentError(
+            f"it holds the class {name}, which exoid does not have: a term of one's own. Give the "
+            "class by `terms`, or its file by --terms."
+        )
+    return found
 
 
 def is_required(field: Any) -> bool:
