@@ -133,7 +133,7 @@ def notes(result: FitResult, basis: Basis, at_bound: set[str], slack: Leaning | 
         *of_scale(result.parameters, result.segments),
         *of_far_zeros(problem, ended),
         *slack_angle_remarks(slack),
-        *suspicions(problem, result.mountings, ended.disturbance),
+        *suspicions(problem, result.mountings, ended),
         *limiting({**result.parameters, **result.ratios}),
         *granted(problem),
     ]

@@ -5,7 +5,9 @@ from collections.abc import Callable
 import numpy as np
 
 from exoid.fitting.misfit.missed import Disturbance
+from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.fit_result import Estimate, MountingFit
+from exoid.fitting.result.remarks.tilt_or_zero import either
 from exoid.fitting.solve.problem import Problem
 
 WORTH = 0.3  # of a variance, from which on a systematic is named
@@ -39,6 +41,7 @@ AMISS = (
     " Times by a camera or a node without a crystal may be percents off: d / J goes with them, "
     "m l g / J and c / J with their square (clock_uncertainty)."
 )
+LOOK = "Look what the encoder shows with the knee extended, and give angle_zero_deg."
 CLEAR = 4.0  # errors from which on a value is worth a sentence
 SCALED = 2e-3  # relative disagreement of encoder and gyro below which it is none worth a word
 
@@ -81,12 +84,17 @@ def granted(problem: Problem) -> list[str]:
     ]
 
 
-def suspicions(problem: Problem, mountings: list[MountingFit], found: Disturbance) -> list[str]:
+def suspicions(problem: Problem, mountings: list[MountingFit], ended: SearchResult) -> list[str]:
     """What of a recording is not as it was declared, in sentences."""
-    said = []
+    said, found = [], ended.disturbance
+    sources = [own[0].source for own in problem.recordings]
     for each in mountings:
         where = f"{each.recording}: " if len(mountings) > 1 else ""
-        doubts = (*tilted(each, found), *disagreeing(problem, each, found))
+        tilts = tilted(each, found)
+        alike = either(problem, ended, sources.index(each.recording)) if tilts else None
+        if alike:
+            tilts = [f"{tilts[0]} {alike.sentence} {LOOK}"]
+        doubts = (*tilts, *disagreeing(problem, each, found))
         said += [f"{where}{words}" for words in doubts]
     return said
 

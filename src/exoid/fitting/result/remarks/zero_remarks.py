@@ -3,6 +3,7 @@
 import numpy as np
 
 from exoid.fitting.multistart.search_result import SearchResult
+from exoid.fitting.result.remarks.tilt_or_zero import either
 from exoid.fitting.solve.problem import Problem
 
 FAR = 4.0  # standard deviations of what was assumed: one recording in 16,000 by chance
@@ -17,9 +18,16 @@ def of_far_zeros(problem: Problem, ended: SearchResult) -> list[str]:
     zeros, usual = ended.point.mounting.zero, problem.deviation_of("zero")
     return [
         said(problem, entry, float(zeros[entry]), float(usual[entry]))
+        + alike(problem, ended, entry)
         for entry in problem.estimated("zero")
         if abs(float(zeros[entry])) > FAR * usual[entry]
     ]
+
+
+def alike(problem: Problem, ended: SearchResult, entry: int) -> str:
+    """That it may as well be the thigh that is tilted, where it may."""
+    found = either(problem, ended, entry)
+    return f" {found.sentence}" if found else ""
 
 
 def said(problem: Problem, entry: int, zero: float, usual: float) -> str:
