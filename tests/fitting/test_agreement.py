@@ -63,7 +63,7 @@ def test_one_segment_among_many_that_is_not_followed_is_named():
 def test_on_a_limit_less_is_enough_for_then_it_is_not_the_physics():
     few = segment(0.05 * MOVED)
     assert astray([few]) is None
-    assert astray([few], ["J <= reach m l"]).endswith("held by J <= reach m l")
+    assert astray([few], ["the limit that J is so"]).endswith("held by the limit that J is so")
     assert astray([segment(0.05 * MOVED, noise=0.01 * MOVED)], ["m"]) is None  # 5 times the noise
 
 

@@ -28,7 +28,10 @@ NO_RIG = (
     'spring is, say [subject] spring = "none"'
 )
 REACH = "J <= reach m l"
-RULES = ("m l^2 <= J", REACH)
+RULES = {
+    "m l^2 <= J": "that J of a rigid leg is at least m l^2",
+    REACH: "that J / (m l) of a leg is no longer than the leg from knee to toe",
+}
 SLIGHT = 1e-3  # of m l g, below which an unknown torque changes no number that anybody reads
 INCOMPLETE = "no error bar of a model that misses something is complete"
 
@@ -274,7 +277,7 @@ def of_bounds(problem: Problem, at_bound: set[str]) -> list[str]:
             )
     for rule in RULES:
         if rule in at_bound:
-            said.append(f"the fit lies on the limit {rule} of a rigid leg.")
+            said.append(f"the fit lies on the limit {RULES[rule]} ({rule}).")
     return said
 
 
@@ -287,7 +290,7 @@ def limits_met(problem: Problem, at_bound: set[str]) -> list[str]:
         for name, declared in declarations(LegParameters)
         if name in at_bound and name != "damping"
     ]
-    return [*held, *(rule for rule in RULES if rule in at_bound)]
+    return [*held, *(f"the limit {words}" for rule, words in RULES.items() if rule in at_bound)]
 
 
 def whose(belief: Belief, name: str) -> str:
