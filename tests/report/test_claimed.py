@@ -4,7 +4,7 @@ from dataclasses import replace
 from unittest.mock import Mock
 
 import pytest
-from diagnosis_by_hand import found
+from diagnosis_by_hand import doubtful, found
 
 from exoid.mismatch import with_model
 
@@ -25,3 +25,22 @@ def test_a_cause_is_not_claimed_where_neither_model_follows(astray, verdict, mon
     said = with_model.with_model(one, [], {}, lambda phase: None)
     assert said.verdict == verdict
     assert bool(said.selected) == said.novel == (verdict == "mismatch")
+
+
+@pytest.mark.parametrize("astray", ["it misses the angle by 2 deg", None])
+def test_first_of_the_reasons_is_that_no_model_follows(astray, monkeypatch):
+    """That ± covers a rival is no reason then, and whether a hand was there comes first."""
+    one = doubtful()
+    before = replace(one.before, astray=astray)
+    rivals = replace(before, notes=[*before.notes, "± covers that it may be another cause."])
+    monkeypatch.setattr(with_model, "just_made", Mock())
+    monkeypatch.setattr(with_model, "with_rivals", lambda *_: rivals)
+    monkeypatch.setattr(with_model, "by_the_fits", lambda *_: ([], []))
+    monkeypatch.setattr(with_model, "astray", lambda _: astray)
+    one = replace(one, before=before, after=None, best=replace(one.best, terms=[]))
+    told = with_model.by_eq9(one)
+    reasons = told.reasons
+    first = f"no model here follows the recording: {astray}. A hand that leads the leg"
+    assert reasons[0].startswith(first) == (astray is not None)
+    assert (told.advice == [with_model.ALONE]) == (astray is not None)
+    assert ("± covers that it may be another cause" in reasons) == (astray is None)

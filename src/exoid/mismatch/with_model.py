@@ -10,6 +10,7 @@ import numpy as np
 from exoid.fitting.estimate import fit
 from exoid.fitting.model import term_parameters
 from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
+from exoid.fitting.result.agreement import astray
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.conclude.asserted import same_cause
@@ -32,6 +33,7 @@ from exoid.physics.term import Term, name_of
 from exoid.recordings.recording import Recording
 
 STARTS = 8  # masses and inertias of the fit with what was found
+ALONE = "Let the leg go at once, touch nothing until it hangs still, and record again."
 ELSEWHERE = 2.0  # times the held-out error, above which a fit is none of what the search found
 
 
@@ -101,10 +103,23 @@ def by_eq9(found: Diagnosis) -> Diagnosis:
     """The same with the numbers of Eq. 9 alone, and what others would make of them."""
     work = just_made(found)
     before = with_rivals(found.before, work, work.found.base)
-    said = before.notes[: len(before.notes) - len(found.before.notes)]
-    reasons = [*found.reasons, *(each.rstrip(".") for each in said)]
+    said = [each.rstrip(".") for each in before.notes if each not in found.before.notes]
     booked, suspected = by_the_fits(found, None)
-    return replace(found, before=before, reasons=reasons, booked=booked, suspected=suspected)
+    same = replace(found, before=before, booked=booked, suspected=suspected)
+    if not found.follows and astray(before.segments):
+        return lost(same)
+    return replace(same, reasons=[*found.reasons, *said])
+
+
+def lost(found: Diagnosis) -> Diagnosis:
+    """That no model follows the recording comes first, and what of it to look at: no cause is told
+    apart from others there.
+    """
+    why = f"no model here follows the recording: {found.before.astray}"
+    if not any(each.kind == "passive" for each in found.before.segments):
+        return replace(found, reasons=[why, *found.reasons])
+    why += ". A hand that leads the leg or stops it, and what it strikes, are no physics of a leg"
+    return replace(found, reasons=[why, *found.reasons], advice=[ALONE])
 
 
 def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:

@@ -185,8 +185,8 @@ def luck(lucky: Chance) -> list[str]:
     if not lucky.doubtful:
         return []
     return [
-        "what it leaves would, turned over by chance, look like a cause, too, and not by far less "
-        "clearly: record the same movement again"
+        "by chance alone some cause would seem nearly as likely here: record the same movement "
+        "again, for what is of the leg comes back"
     ]
 
 

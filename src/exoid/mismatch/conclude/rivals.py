@@ -109,7 +109,8 @@ def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
     rivals += [SLACK] if any(spread[name] == slack.get(name) for name in wide) else []
     note = f"± of {', '.join(wide.values())} covers that it may be another cause: "
     note += f"{', '.join(rivals)}."
-    notes = [note, *result.notes] if wide else result.notes
+    lost = 0 if result.follows else 1  # of the notes: that it does not follow comes first
+    notes = [*result.notes[:lost], *([note] if wide else []), *result.notes[lost:]]
     return replace(result, ratios=ratios, parameters=parameters, notes=notes)
 
 
