@@ -368,5 +368,5 @@ def test_a_limit_that_the_search_happens_to_end_on_decides_nothing(seed):
 def test_an_angle_that_counts_the_other_way_is_named():
     drop = recorded(DROP).segments[0]
     turned = Segment(drop.time, raw_angle=-np.asarray(drop.raw_angle))
-    with pytest.raises(ValueError, match=r"gravity comes out upwards .* --flip angle"):
+    with pytest.raises(ValueError, match=r'gravity comes out upwards .* flip="angle"'):
         fit(one(turned), multistart=4)

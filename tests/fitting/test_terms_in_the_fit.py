@@ -159,7 +159,7 @@ def test_a_bound_that_moves_the_inertia_leaves_the_ratio_to_the_data(rubbing, fo
     ("options", "said"),
     [
         ({"terms": (CoulombFriction, CoulombFriction)}, "given twice"),
-        ({"fix": {"coulomb_friction.level": 0.2}}, "it has no terms.*--with coulomb_friction"),
+        ({"fix": {"coulomb_friction.level": 0.2}}, "it has no terms.*term, coulomb_friction"),
         (
             {"terms": (CoulombFriction,), "fix": {"coulomb_friction.levle": 0.2}},
             "it has coulomb_friction.level",

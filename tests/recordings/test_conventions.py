@@ -54,13 +54,13 @@ MISTAKES = {  # name: what was done, and what the user is told, with and without
     "milliseconds since 1970": (timed(1e3, 1.7e12), "name the column time_ms"),
     "minutes": (timed(1 / 60), r"minutes\? Multiply it by 60"),
     "days": (timed(1 / 86400), r"days\? Multiply it by 86400"),
-    "flexion positive": (scaled(ANGLES + RATES, -1.0), r"--flip (all|angle)"),
-    "flexion of the angle positive": (scaled(ANGLES, -1.0), "--flip angle"),
-    "hanging called 0": (scaled(ANGLES, 1.0, np.pi / 2), "--zero hanging"),
-    "its own rest called 0": (scaled(ANGLES, 1.0, 1.3), "--zero unknown"),
+    "flexion positive": (scaled(ANGLES + RATES, -1.0), 'flip="(all|angle)"'),
+    "flexion of the angle positive": (scaled(ANGLES, -1.0), 'flip="angle"'),
+    "hanging called 0": (scaled(ANGLES, 1.0, np.pi / 2), 'zero="hanging"'),
+    "its own rest called 0": (scaled(ANGLES, 1.0, 1.3), 'zero="unknown"'),
     "hanging 0, flexion positive": (
         scaled(ANGLES, -1.0, -np.pi / 2),
-        "--flip angle",  # a child's is found in two steps: its gyro first
+        'flip="angle"',  # a child's is found in two steps: its gyro first
     ),
     "straight called 180 deg": (scaled(ANGLES, 1.0, np.pi), "angle_zero_deg = 180"),
     "radians called degrees": (scaled(ANGLES, np.pi / 180), "_rad in place of _deg"),
@@ -68,7 +68,7 @@ MISTAKES = {  # name: what was done, and what the user is told, with and without
 GYROS = {
     "in deg/s": (scaled(RATES, np.degrees(1.0)), "raw_velocity_deg_s"),
     "rad/s called deg/s": (scaled(RATES, np.radians(1.0)), r"rad/s.*raw_velocity_rad_s\."),
-    "other sign": (scaled(RATES, -1.0), "--flip gyro"),
+    "other sign": (scaled(RATES, -1.0), 'flip="gyro"'),
     "dead": (scaled(RATES, 0.0), "stays at 0 all along"),
     "stuck": (scaled(RATES, 0.0, 0.2), "stays at 0.2 all along"),
 }
@@ -113,13 +113,13 @@ def test_a_rig_may_count_as_it_likes():
     rig = Subject(kind="rig")
     for change, _ in (MISTAKES["flexion positive"], MISTAKES["hanging called 0"]):
         understood(changed(recording(drop(), subject=rig), change))
-    with pytest.raises(ValueError, match="--flip gyro"):  # but its sensors must agree
+    with pytest.raises(ValueError, match='flip="gyro"'):  # but its sensors must agree
         understood(changed(recording(drop(), subject=rig), scaled(RATES, -1.0)))
 
 
 def test_that_the_zero_is_right_can_be_insisted_on():
     odd = changed(legs()["adult"], scaled(ANGLES, 1.0, 0.9))
-    with pytest.raises(ValueError, match="say --zero extended"):
+    with pytest.raises(ValueError, match='say zero="extended"'):
         understood(odd)
     assert understood(odd, zero="extended")[1] == ()
 
@@ -261,7 +261,7 @@ def test_a_continuous_log_of_flexion_is_named_though_no_drop_is_found_in_it(tmp_
     swing = drop(gyro=False, noise=(0.0, 0.0)).raw_angle
     angle = -np.concatenate([still, swing, np.full(300, swing[-1])])
     log = recording(Segment(time, raw_angle=angle), protocol=Protocol())
-    with pytest.raises(ValueError, match="--flip angle"):
+    with pytest.raises(ValueError, match='flip="angle"'):
         understand(log, cut_apart)
 
 

@@ -268,8 +268,8 @@ def test_a_time_of_exoids_name_hides_no_other_name(write, names):
     [
         ("t,knee_angle_r,knee_angle_l\n0,1,2\n1,1,2\n", {}, "several columns can be the angle"),
         ("time,t,knee\n0,1,2\n1,1,2\n", {}, "several columns can be the time: time, t"),
-        ("t,hip\n0,1\n1,1\n", {}, "has no angle. It holds: t, hip. Name it: --column raw_angle"),
-        ("time_s,raw_angel_deg\n0,1\n1,1\n", {}, "Did you mean raw_angle_deg? Name it: --column"),
+        ("t,hip\n0,1\n1,1\n", {}, "has no angle. It holds: t, hip. Name it: columns="),
+        ("time_s,raw_angel_deg\n0,1\n1,1\n", {}, "Did you mean raw_angle_deg? Name it: columns="),
         ("t;knee\n0;1\n1;1\n2;left\n3;1\n", {}, "line 4, column knee: 'left' is not a number"),
         ("t;knee\n0;1\n1;1\n2;1;5\n3;1\n", {}, "line 4 has 3 cells, but the samples above have 2"),
         ("t,knee\n0,0,1,5\n1,0,2,5\n", {}, "decimal commas between commas"),
@@ -294,7 +294,7 @@ def test_a_velocity_is_taken_for_a_gyro_only_where_it_is_called_one(write):
     rows = ["t,knee,knee_velocity", *lines((TIME, ANGLE, RATE))]
     segment, said = check(write("\n".join(rows)))
     assert segment.raw_angular_velocity is None
-    assert "not read: knee_velocity. A gyro among them is named: --column raw_velocity" in said
+    assert "not read: knee_velocity. A gyro among them is named: columns=" in said
 
 
 def test_names_that_steer_a_terminal_are_shown_without_it(write):

@@ -61,7 +61,7 @@ def test_a_keyword_may_name_a_column():
 def test_what_an_angle_means_is_told_as_to_load():
     check(exoid.recording(time=TIME, raw_angle_deg=-ANGLE, flip="angle"))
     check(exoid.recording(time=TIME, raw_angle_deg=ANGLE + 90, zero="hanging"))
-    with pytest.raises(ValueError, match="--flip angle"):
+    with pytest.raises(ValueError, match='flip="angle"'):
         exoid.recording(time=TIME, raw_angle_deg=-ANGLE)
 
 

@@ -4,7 +4,7 @@ import pytest
 
 from exoid.studies.dataset.cause import cause, for_all
 
-SAID = "Then say --flip angle --zero hanging, or --zero unknown (--flip all with a gyro)."
+SAID = 'Then say flip="angle" and zero="hanging", or zero="unknown" (flip="all" with a gyro).'
 KEYS = 'flip = "angle" and zero = "hanging"'
 REST = 'zero = "unknown" (flip = "all" with a gyro).'
 

@@ -16,9 +16,9 @@ from exoid.recordings.commissioning.torque_parameters import TorqueParameters
 ROUNDING = 1e-6  # by which a solver may stop beyond its bound of 0
 UNTOLD = (
     "nothing told the leg's inertia, and its ratios alone make no torque in N m. Fit with body "
-    "mass and height or with a known mass, or give --inertia where you know it."
+    "mass and height or with a known mass, or give the inertia where you know it."
 )
-TOLD = "the fit has told the leg's inertia: --inertia is for one that has not."
+TOLD = "the fit has told the leg's inertia: another is given only where it has not."
 NO_COUNTERPART = (
     "a node has nothing that acts like {names}: it holds gravity, stiffness, damping and one level "
     "of dry friction. Fit without, or take the header of exoid export --as c."

@@ -338,7 +338,7 @@ def check_channel(number: int, entry, samples: Samples | None, size: int) -> Non
 
 def called(column: str) -> str:
     """What to do where a column's unit is another than its name says."""
-    return f"Then name the column {column}, or say --column {column}=NAME."
+    return f'Then name the column {column}, or say columns={{"{column}": NAME}}.'
 
 
 def check_knee(number: int, segment: Segment) -> None:

@@ -59,10 +59,11 @@ def explain_usage(fault: BaseException) -> int:
 
 
 def complain(message: object, code: int) -> int:
+    from exoid.cli.terminal.options import as_options
     from exoid.files.visible import visible
 
     with suppress(OSError):  # nobody is there to read it
-        print(visible(f"exoid: {message}"), file=sys.stderr, flush=True)
+        print(visible(as_options(f"exoid: {message}")), file=sys.stderr, flush=True)
     return code
 
 

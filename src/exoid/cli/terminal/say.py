@@ -4,13 +4,14 @@ import sys
 
 import typer
 
+from exoid.cli.terminal.options import as_options
 from exoid.files.visible import visible
 
 
 def say(*lines: object, err: bool = False) -> None:
     """Each on a line of its own, on stdout or stderr."""
     for line in lines:
-        typer.echo(visible(str(line)), err=err)
+        typer.echo(visible(as_options(str(line))), err=err)
 
 
 def ring() -> None:

@@ -27,7 +27,7 @@ from exoid.fitting.result.fit_result import Basis, FitResult
 from exoid.fitting.result.mountings import FIELDS, MOUNTING, outside
 
 PACKAGES = ("blackjax", "arviz", "h5netcdf")
-MISSING = f"--posterior needs more packages: {installing('posterior')}"
+MISSING = f"a posterior needs more packages: {installing('posterior')}"
 CANDIDATES = 10_000  # from the quadratic picture, among which the chains begin
 
 

@@ -77,8 +77,8 @@ def check_known(hand: ByHand, declared: dict[str, Declaration]) -> None:
         if name not in declared:
             known = f"it has {', '.join(declared)}" if declared else "it has no terms"
             raise ValueError(
-                f"{name} is no parameter of this model: {known}. Add its term "
-                f"(--with {name.partition('.')[0]}), or check the name."
+                f"{name} is no parameter of this model: {known}. Add its term, "
+                f"{name.partition('.')[0]}, or check the name."
             )
     for name, value in hand.fix.items():
         one = declared[name]

@@ -40,7 +40,7 @@ def search_slsqp(
     if several or any(each.unplaced for each in problem.movements):
         raise ValueError(
             "slsqp, the reference, fits one recording whose added mass sits at a known distance. "
-            "Leave the method out (--method), or fit one recording."
+            "Leave the method out, or fit one recording."
         )
     objective = Objective(problem, 1.0, True)
     own = np.stack([*jax.tree.leaves(terms), *starts.T])[: len(jax.tree.leaves(terms))].T

@@ -89,7 +89,7 @@ def held(part: Part) -> bool:
     if why is not None:
         raise ValueError(
             f"the C header has no feed-forward for {part.name} ({part.title}): {why}. Export "
-            "--as python, or fit without it."
+            "it for Python, or fit without it."
         )
     return True
 

@@ -104,7 +104,7 @@ def rubbing(part: Part, constants: Mapping[str, float]) -> Expression:
 def refused(part: Part, why: str) -> ValueError:
     return ValueError(
         f"OpenSim's expressions know angle and rate alone, and nothing of {part.name} "
-        f"({part.title}): {why}. Export it for Python (--as python), or fit without it."
+        f"({part.title}): {why}. Export it for Python, or fit without it."
     )
 
 

@@ -119,7 +119,7 @@ def wrong_convention(recording: Recording, *, cut: bool) -> str | None:
     where = "" if len(wrong) == len(each) else f"segment {first}: "
     rig = "" if recording.subject.kind else ' Of a rig, say [subject] kind = "rig".'
     mend = mended(list(wrong.values()), same_sense(recording))
-    return f"{where}{described(wrong[first])}. {mend} If 0 is right, say --zero extended.{rig}"
+    return f'{where}{described(wrong[first])}. {mend} If 0 is right, say zero="extended".{rig}'
 
 
 def described(found: Swing) -> str:
@@ -136,9 +136,9 @@ def mended(wrong: list[Swing], same: bool) -> str:
     """The other way of counting in which the leg is most like a leg, and how to tell of it."""
     flip = "all" if same else "angle"
     options = {
-        "flip": f"say --flip {flip}",
-        "hanging": "say --zero hanging, or --zero unknown where the leg's own rest was called 0",
-        "both": f"say --flip {flip} --zero hanging",
+        "flip": f'say flip="{flip}"',
+        "hanging": 'say zero="hanging", or zero="unknown" where the leg\'s own rest was called 0',
+        "both": f'say flip="{flip}" and zero="hanging"',
         "straight": "say angle_zero_deg = 180 in [sensors] of the sidecar",
     }
     found = {
@@ -147,7 +147,7 @@ def mended(wrong: list[Swing], same: bool) -> str:
         if all(one.counted(*reading[:2]).likely for one in wrong)
     }
     if not found:
-        return "Is its zero elsewhere? Then say --zero unknown, or angle_zero_deg in [sensors]."
+        return 'Is its zero elsewhere? Then say zero="unknown", or angle_zero_deg in [sensors].'
     strange = {each: sum(one.strange for one in found[each]) / len(wrong) for each in found}
     best = [each for each in found if strange[each] < min(strange.values()) + ALIKE]
     names = ", or ".join(name for *_, name, _ in best)

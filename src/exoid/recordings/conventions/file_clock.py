@@ -11,9 +11,9 @@ from exoid.recordings.signal.noise import noise_of
 
 SLOWEST = 0.2  # s between samples; a leg's swing takes about a second
 UNITS = (  # and the steps [of that unit] up to which a sampled leg has it
-    ("milliseconds", "Then name the column time_ms, or say --column time_ms=NAME", 300.0),
-    ("microseconds", "Then name the column time_us, or say --column time_us=NAME", 3e5),
-    ("nanoseconds", "Then name the column time_ns, or say --column time_ns=NAME", np.inf),
+    ("milliseconds", 'Then name the column time_ms, or say columns={"time_ms": NAME}', 300.0),
+    ("microseconds", 'Then name the column time_us, or say columns={"time_us": NAME}', 3e5),
+    ("nanoseconds", 'Then name the column time_ns, or say columns={"time_ns": NAME}', np.inf),
 )
 BRIEFEST = 6e-4  # s between samples: 30 Hz, told in minutes
 LAG = 8  # steps over which a speed is taken there

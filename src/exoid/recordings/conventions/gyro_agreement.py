@@ -121,7 +121,7 @@ def wrong_sign(recording: Recording) -> str | None:
         if found is not None and found.correlation < -ALIKE and found.slope < -1 / NEAR:
             return (
                 f"segment {number}: {found.column} is the slope of {found.angle_column} with the "
-                "other sign. Extension is positive in both: say --flip gyro, or --flip angle "
+                'other sign. Extension is positive in both: say flip="gyro", or flip="angle" '
                 "where it is the angle that counts flexion."
             )
     return None

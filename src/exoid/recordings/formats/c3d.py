@@ -150,6 +150,6 @@ def told(points: list[Column], analogs: list[Column]) -> str:
     held = [column.name.removesuffix(".X") for column in points if column.name.endswith(".X")]
     return (
         f"has no knee angle by its name. Its points are {listed(held) or 'none'}, its analog "
-        f"channels {listed([each.name for each in analogs]) or 'none'}. Name one with --column "
-        'raw_angle_deg="LABEL.X" for a point, or ="LABEL" for an analog channel.'
+        f"channels {listed([each.name for each in analogs]) or 'none'}. Name one: "
+        'columns={"raw_angle_deg": "LABEL.X"} for a point, or "LABEL" for an analog channel.'
     )

@@ -65,8 +65,8 @@ def load(
         )
     if columns:
         raise ValueError(
-            f"{path}: a CAN log has no columns to name. Give a DBC and a signal map (--dbc and "
-            "--signal)."
+            f"{path}: a CAN log has no columns to name. Give a DBC and a signal map (dbc and "
+            "signals)."
         )
     from exoid.recordings.loading.can_log import read_can_log
 
@@ -100,7 +100,7 @@ def check_request(path: Path, dbc: str | Path | None, signals: dict[str, str] | 
         raise ValueError(f"{path}: this is a sidecar. Name the table or log beside it.")
     if (dbc is None) != (signals is None):
         raise ValueError(
-            f"{path}: a DBC and a signal map belong together. Give both (--dbc and --signal), or "
+            f"{path}: a DBC and a signal map belong together. Give both (dbc and signals), or "
             "none for a table or a log of the exoskeleton's own node."
         )
 

@@ -49,7 +49,7 @@ class Sheet:
     place: Place = Place()
     rate: float | None = None  # Hz, where the file says it apart from its columns
     notes: Notes = ()
-    ask: str = '--column {}="..."'  # how its owner names a column
+    ask: str = 'columns={{"{}": "..."}}'  # how its owner names a column
 
     @property
     def names(self) -> list[str]:

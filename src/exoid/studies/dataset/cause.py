@@ -6,8 +6,8 @@ from exoid.studies.dataset.motion_bids.labels import SUFFIX
 from exoid.studies.dataset.open_dataset import DEFAULTS
 
 NUMBER = re.compile(r"[-+]?\d+(?:[.,]\d+)*(?:e[-+]?\d+)?")
-COLUMN = re.compile(r"\bsay --column (\w+)=NAME")
-OPTIONS = re.compile(r"(\bsay )?(--(?:flip|zero) [a-z]+(?: --zero [a-z]+)?)")
+COLUMN = re.compile(r'\bsay columns=\{"(\w+)": NAME\}')
+KEYS = re.compile(r'(\bsay )?((?:flip|zero)="[a-z]+"(?: and zero="[a-z]+")?)')
 
 
 def cause(said: str) -> str:
@@ -16,7 +16,7 @@ def cause(said: str) -> str:
 
 
 def for_all(said: str, name: str) -> str:
-    """A reason whose options of single commands are said as keys for a whole data set."""
+    """A reason whose keywords of one recording are said as keys for a whole data set."""
     said = COLUMN.sub(rf'write \1 = "NAME" in [columns] of {DEFAULTS}', said)
     own, all_of = "[sensors] of its sidecar", DEFAULTS
     if name.endswith(SUFFIX):
@@ -26,11 +26,9 @@ def for_all(said: str, name: str) -> str:
     def told(found: re.Match[str]) -> str:
         return f"write {keys(found[2])} in {where}" if found[1] else keys(found[2])
 
-    return OPTIONS.sub(told, said)
+    return KEYS.sub(told, said)
 
 
-def keys(options: str) -> str:
-    """`--flip angle --zero hanging` as a sidecar has it."""
-    words = options.split()
-    pairs = zip(words[::2], words[1::2], strict=True)
-    return " and ".join(f'{option.removeprefix("--")} = "{value}"' for option, value in pairs)
+def keys(keywords: str) -> str:
+    """`flip="angle" and zero="hanging"` as a sidecar has it."""
+    return keywords.replace("=", " = ")

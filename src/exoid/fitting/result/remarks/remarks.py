@@ -20,8 +20,8 @@ from exoid.physics.term import name_of
 UPWARDS = (
     "gravity comes out upwards (m l g / J is negative): no leg falls like this. The angle must be "
     "0 with the knee extended and the shank level, -90 deg hanging, extension positive. Is flexion "
-    "positive in this file? Then say --flip angle (--flip all with a gyro of the same sign). Is 0 "
-    "the hanging leg? Then say --zero hanging."
+    'positive in this file? Then say flip="angle" (flip="all" with a gyro of the same sign). Is 0 '
+    'the hanging leg? Then say zero="hanging".'
 )
 NO_RIG = (
     "gravity would pull upwards: of this rig a spring and gravity are not told apart. Where no "

@@ -60,7 +60,7 @@ def refused(part: Part, why: str | None = None) -> ValueError:
     why = why or next((said for name, said in feels.items() if name in part.hangs_on), "its form")
     return ValueError(
         f"MuJoCo's XML has nothing for {part.name} ({part.title}): {why}. Export it for Python "
-        "(--as python) and apply its torque by a passive callback (mjcb_passive), or fit without "
+        "and apply its torque by a passive callback (mjcb_passive), or fit without "
         "it."
     )
 

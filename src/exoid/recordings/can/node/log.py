@@ -105,7 +105,7 @@ def refuse_other_firmware(log: Log, told: int | None) -> None:
             f"{log.path}: the node was built with another exoid.dbc or other filter constants "
             f"(ConfigCrc 0x{told:04X}, here 0x{config_crc():04X}), so that its numbers may mean "
             "something else. Flash this version's firmware, or give the DBC it was built with "
-            "(--dbc and --signal)."
+            "(dbc and signals)."
         )
 
 
