@@ -7,8 +7,8 @@ import pytest
 
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.result.fit_result import Estimate
-from exoid.mismatch.conclude.cannot_tell import chance, faint, luck, unlike_a_leg, vague
 from exoid.mismatch.conclude.false_alarm import Chance
+from exoid.mismatch.conclude.verdict.cannot_tell import chance, faint, luck, unlike_a_leg, vague
 from exoid.mismatch.novel.dictionary import dictionary
 from exoid.mismatch.novel.formula import Formula
 from exoid.recordings.recording import Subject

@@ -15,8 +15,8 @@ from exoid.mismatch.conclude.asserted import (
     plainest,
     weight,
 )
-from exoid.mismatch.conclude.cannot_tell import unrelaxed
-from exoid.mismatch.conclude.conclusion import undecided
+from exoid.mismatch.conclude.verdict.cannot_tell import unrelaxed
+from exoid.mismatch.conclude.verdict.undecided import undecided
 from exoid.mismatch.evidence.prediction import Prediction, improves
 from exoid.mismatch.missing_physics import noise_alone
 from exoid.mismatch.novel.dictionary import dictionary

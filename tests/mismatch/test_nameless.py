@@ -12,7 +12,7 @@ from exoid.cli.inputs.terms import rivals_in
 from exoid.mismatch import stand_in
 from exoid.mismatch.answer.diagnosis import Suspect
 from exoid.mismatch.conclude.asserted import certain_of, same_cause
-from exoid.mismatch.conclude.conclusion import undecided
+from exoid.mismatch.conclude.verdict.undecided import undecided
 from exoid.mismatch.missing_physics import diagnose
 from exoid.mismatch.novel.nameless import NAMELESS, SaturatingDamping
 from exoid.mismatch.stand_in import with_nameless

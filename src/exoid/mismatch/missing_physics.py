@@ -13,12 +13,12 @@ from exoid.fitting.estimate import fit
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.conclude.asserted import plainest
-from exoid.mismatch.conclude.cannot_tell import too_little
 from exoid.mismatch.conclude.choose import Chosen, choose
-from exoid.mismatch.conclude.conclusion import concluded
 from exoid.mismatch.conclude.formulated import formulated
 from exoid.mismatch.conclude.sensor_faults import with_faults_told
 from exoid.mismatch.conclude.unusual_zero import as_a_term, unusual
+from exoid.mismatch.conclude.verdict.cannot_tell import too_little
+from exoid.mismatch.conclude.verdict.conclusion import concluded
 from exoid.mismatch.evidence.locate import locate
 from exoid.mismatch.evidence.measure import misfits, yardstick
 from exoid.mismatch.evidence.proof import predict
@@ -154,8 +154,7 @@ def from_the_first(found: Diagnosis, movements: list[Movement]) -> bool:
     seen = work.found.prepared.seen
     late = np.array([[each.late] for each in movements])
     early = np.arange(seen.time.shape[1]) < late
-    weights = {name: getattr(seen, name) * early for name in ("angle_weight", "velocity_weight")}
-    each = misfits(replace(seen, **weights), work.best.motion)
+    each = misfits(seen.weighed(early), work.best.motion)
     left = np.concatenate([one for channels in each for one in channels])
     return noise_alone(left, size(work.best))
 

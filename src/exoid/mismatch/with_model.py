@@ -14,19 +14,18 @@ from exoid.fitting.result.agreement import astray
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.conclude.asserted import same_cause
-from exoid.mismatch.conclude.cannot_tell import unlike_a_leg
 from exoid.mismatch.conclude.rivals import (
     advice,
     by_the_fits,
     likely,
     suspects,
     with_rivals,
-    words,
 )
+from exoid.mismatch.conclude.verdict.cannot_tell import unlike_a_leg
 from exoid.mismatch.novel.formula import fitted_formula
 from exoid.mismatch.screen.effect import named as named_values
 from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.search.found import Workings
+from exoid.mismatch.search.found import Workings, words
 from exoid.physics.library import library
 from exoid.physics.parameter import Declaration
 from exoid.physics.term import Term, name_of

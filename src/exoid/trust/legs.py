@@ -85,10 +85,7 @@ def alone(result: FitResult, recording: int) -> Alone:
 def blinded(problem: Problem, recording: int) -> Problem:
     """The same problem, with no sample of any other recording."""
     own = np.array([each.recording == recording for each in problem.movements])[:, None]
-    seen = problem.observation
-    angle, velocity = (np.where(own, w, 0.0) for w in (seen.angle_weight, seen.velocity_weight))
-    masked = replace(seen, angle_weight=angle, velocity_weight=velocity)
-    return with_inertia_kept(replace(problem, observation=masked))
+    return with_inertia_kept(replace(problem, observation=problem.observation.weighed(own)))
 
 
 def disagreement(one: Alone, other: Alone, torn: bool) -> str | None:

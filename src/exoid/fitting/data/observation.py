@@ -1,5 +1,6 @@
 """What a fit sees of a recording: samples to meet, their noise, and what drove each segment."""
 
+from dataclasses import replace
 from typing import Any
 
 import equinox as eqx
@@ -44,3 +45,8 @@ class Observation:
     owner: Int[Any, "*segment"]  # which recording's mounting it has
     clock: Clock
     parts: int = eqx.field(static=True, default=1)  # of a step, where it is long for the motion
+
+    def weighed(self, share: Any) -> "Observation":
+        """The same with this share of every weight: 0 of a sample that is not to count."""
+        angle, velocity = self.angle_weight * share, self.velocity_weight * share
+        return replace(self, angle_weight=angle, velocity_weight=velocity)

@@ -11,7 +11,7 @@ from exoid.mismatch.conclude.numbers import moved
 from exoid.mismatch.evidence.yardstick import APART
 from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
-from exoid.mismatch.search.found import Found, Workings, names
+from exoid.mismatch.search.found import Found, Workings, names, words
 
 FELT = 2.0  # standard errors by which a cause that is hardly seen must move a number
 LARGE = 0.1  # share of the variance, from which on a cause is worth a word
@@ -175,8 +175,3 @@ def advice(rivals: list[Optimum], verdict: Verdict, formula: Formula | None) -> 
     if verdict == "mismatch" and len(rivals) < 2 and not any(term.twin for term in terms):
         return []
     return [f"To tell {term.title} apart: {term.isolate}." for term in terms] or [REPEAT]
-
-
-def words(terms: list[str]) -> str:
-    """Causes that act together, as a sentence has them."""
-    return " + ".join(terms).replace("_", " ")

@@ -1,7 +1,5 @@
 """Does it hold on data that the fit has not seen?"""
 
-from dataclasses import replace
-
 import jax
 import numpy as np
 from jaxtyping import Bool
@@ -51,7 +49,7 @@ def predict_quarters(prepared: PreparedRecording, at: Optimum) -> Prediction:
     which = np.where(used, (np.cumsum(used, axis=1) - 1) * QUARTERS // used.sum(), -1)
     held_out = np.arange(QUARTERS)[:, None, None] == which
     first, *later = fitted_without(prepared, at, held_out)
-    begun = started(prepared, 0, first, masked(seen, held_out[0])).motion
+    begun = started(prepared, 0, first, seen.weighed(held_out[0])).motion
     motions = [begun, *(release(prepared, each)[1] for each in later)]
     shown = np.select(list(held_out[..., None]), motions, 0.0)
     return prediction(seen, shown, used, which)
@@ -61,17 +59,11 @@ def fitted_without(
     prepared: PreparedRecording, at: Optimum, held_out: Bool[np.ndarray, "fold segment sample"]
 ) -> list[Hypothesis]:
     """The candidate as the rest has it, for each that is held out."""
-    training = [masked(prepared.seen, ~each) for each in held_out]
+    training = [prepared.seen.weighed(~each) for each in held_out]
     return side_by_side(
         lambda each: settle_free(prepared, at.candidate, each, rounds=TRAINING_ROUNDS).candidate,
         training,
     )
-
-
-def masked(seen: Observation, kept: np.ndarray) -> Observation:
-    """The observation with weight only where it is kept."""
-    weights = {name: getattr(seen, name) * kept for name in ("angle_weight", "velocity_weight")}
-    return replace(seen, **weights)
 
 
 def started(

@@ -76,3 +76,8 @@ def names(one: Optimum) -> list[str]:
 def causes(one: Optimum) -> int:
     """How many; what every gyro has some of, as a scale and a delay, counts as one or as none."""
     return max(1, sum(not term.everyday for term in one.candidate.terms))
+
+
+def words(terms: list[str]) -> str:
+    """Causes that act together, as a sentence has them."""
+    return " + ".join(terms).replace("_", " ")

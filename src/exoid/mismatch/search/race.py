@@ -1,6 +1,5 @@
 """Candidates against each other: many of them, or many starts of one, where valleys differ."""
 
-from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -45,6 +44,4 @@ def left_of(one: Optimum) -> float:
 
 def early(seen: Observation) -> Observation:
     """Its first instants."""
-    soon = seen.time < seen.time[:, :1] + EARLY
-    angle, velocity = seen.angle_weight * soon, seen.velocity_weight * soon
-    return replace(seen, angle_weight=angle, velocity_weight=velocity)
+    return seen.weighed(seen.time < seen.time[:, :1] + EARLY)

@@ -13,7 +13,6 @@ from exoid.fitting.result.remarks.anatomy_remarks import (
 from exoid.fitting.result.remarks.stopped_remarks import of_stopped
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.evidence.prediction import Proof
-from exoid.mismatch.evidence.proof import masked
 from exoid.mismatch.evidence.yardstick import UNEXPLAINED
 from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
@@ -112,7 +111,7 @@ def once(prepared: PreparedRecording, best: Optimum) -> list[str]:
         return []
     kept = np.isin(np.arange(counts.size), others)
     left = settle_free(
-        prepared, best.candidate, masked(seen, kept[:, None]), rounds=FEWER_ROUNDS
+        prepared, best.candidate, seen.weighed(kept[:, None]), rounds=FEWER_ROUNDS
     ).square
     if left > FLOOR * counts[others].sum():
         return []

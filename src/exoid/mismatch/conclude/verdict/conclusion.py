@@ -1,0 +1,159 @@
+"""From what was found to what is said: verdict, names, numbers with errors, and advice."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from exoid.fitting.result.fit_result import FitResult
+from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque
+from exoid.mismatch.conclude.asserted import (
+    certain_of,
+    equivalents,
+    has,
+    weight,
+)
+from exoid.mismatch.conclude.choose import Chosen
+from exoid.mismatch.conclude.false_alarm import by_chance
+from exoid.mismatch.conclude.numbers import (
+    FORMULA,
+    booked,
+    gyro_bias,
+    leg_of,
+    parameters_of,
+    pinned,
+    taken_in,
+    weighed,
+)
+from exoid.mismatch.conclude.rivals import (
+    advice,
+    likely,
+    suspects,
+)
+from exoid.mismatch.conclude.twins import named_alike
+from exoid.mismatch.conclude.verdict.cannot_tell import too_little
+from exoid.mismatch.conclude.verdict.judge import Case, judge
+from exoid.mismatch.evidence.location import Location
+from exoid.mismatch.evidence.proof import proof
+from exoid.mismatch.novel.formula import Formula
+from exoid.mismatch.novel.nameless import NAMELESS
+from exoid.mismatch.screen.hypothesis import Optimum
+from exoid.mismatch.search.found import Found, Workings, names, size
+from exoid.mismatch.search.resample import inclusion
+from exoid.mismatch.sensors.agreement import BIAS
+from exoid.physics.library import library
+from exoid.physics.term import Term, name_of
+
+
+def concluded(
+    result: FitResult,
+    found: Found,
+    chosen: Chosen,
+    formula: Formula | None,
+    location: Location,
+    seed: int,
+) -> Diagnosis:
+    """The verdict and everything that goes with it."""
+    prepared, measure, best = found.prepared, found.yardstick, chosen.best
+    shown = proof(prepared, chosen.before, chosen.after)
+    bias = gyro_bias(best, measure)
+    sure = tuple(term for term in best.candidate.terms if term in prepared.common)
+    named = best.candidate.terms and not formula
+    equal = equivalents(found, best) if named else []
+    certain = certain_of(found, best) if named else sure
+    repeated = included(found, certain, best, formula, seed)
+    lucky = by_chance(found, best, seed)
+    case = Case(result, found, best, formula, certain, equal, bias is not None)
+    judged = judge(case, shown, repeated, lucky)
+    verdict, maybe = judged.verdict, judged.unseen or likely(found)
+    novel = verdict == "mismatch" and formula is not None
+    biased = [BIAS] if bias is not None and verdict != "cannot_tell" else []
+    selected = [*named_terms(found, best, certain), *biased]
+    suspected = maybe if verdict == "cannot_tell" else equal if len(equal) > 1 else []
+    return Diagnosis(
+        verdict=verdict,
+        reasons=judged.reasons,
+        findings=findings(selected, best) if verdict == "mismatch" else [],
+        ranking=ranked(found, selected, formula),
+        equivalent=named_alike(prepared, equal) if verdict != "none" else [],
+        novel=novel,
+        formula=novel_torque(found, formula, best) if formula and novel else None,
+        parameters=[*parameters_of(found, best, formula), *([bias] if bias else [])],
+        inertia=float(np.exp(leg_of(found, best).log_inertia)),
+        booked=booked(found, found.base, best),
+        location=location,
+        proof=shown,
+        baseline=weighed(found, found.base, best),
+        best=replace(weighed(found, best, best), terms=[FORMULA] if formula else names(best)),
+        singles=[weighed(found, one, best) for one in found.singles],
+        pairs=[weighed(found, one, best) for one in found.pairs],
+        pinned=pinned(found),
+        excluded=[name_of(term) for term in found.failed],
+        false_alarm_rate=lucky.rate,
+        power=measure.power(found.base.square, best.square, max(size(best), 1)),
+        inclusion=repeated,
+        weight=weight(found, certain or best.candidate.terms) if named else None,
+        sensors=prepared.sensors.errors,
+        before=result,
+        suspected=suspects(found, suspected, best),
+        advice=[] if too_little(prepared) else advice(equal or maybe[:2], verdict, formula),
+        workings=Workings(found, best),
+    )
+
+
+def novel_torque(found: Found, formula: Formula, best: Optimum) -> NovelTorque:
+    """The formula, and when it acts where one motion has it once."""
+    once = None
+    if found.prepared.segments == 1:
+        angle, velocity = np.asarray(best.motion)[0].T
+        once = formula.moment_of(angle, velocity, np.asarray(found.prepared.seen.time)[0])
+    over = formula.over(float(np.exp(leg_of(found, best).log_inertia)))
+    return NovelTorque(formula.words, formula.explained, formula.known, once, over)
+
+
+def findings(selected: list[str], best: Optimum) -> list[Finding]:
+    """What is missing in words: of the library, or of a user's own terms."""
+    known = {name_of(term): term for term in (*library(), *best.candidate.terms)}
+    terms = [(name, known[name]) for name in selected]
+    return [Finding(name, one.title, one.explanation, one.reference) for name, one in terms]
+
+
+def included(
+    found: Found,
+    certain: tuple[type[Term], ...],
+    best: Optimum,
+    formula: Formula | None,
+    seed: int,
+) -> float | None:
+    """How often resampled segments ask for the same causes of the library, in this form or another
+    one.
+    """
+    if best is found.base:
+        return None
+    if formula:
+        return inclusion(found, [best], [found.base], seed)
+    same, rivals = [best], [found.base]
+    named = (one for one in (*found.singles, *found.pairs) if not {*one.candidate.terms} & NAMELESS)
+    for one in named:
+        holds = all(has(one, cause) for cause in certain or best.candidate.terms)
+        (same if holds else rivals).append(one)
+    return inclusion(found, same, rivals, seed)
+
+
+def named_terms(found: Found, best: Optimum, certain: tuple[type[Term], ...]) -> list[str]:
+    """What is certain by name, without what is part of another: a tilted thigh is one cause."""
+    inside = taken_in(found, best)
+    return [name for name in map(name_of, certain) if name not in inside]
+
+
+def ranked(found: Found, selected: list[str], formula: Formula | None) -> list[str]:
+    """Names, best first: what was selected, then every other single term by what it explains."""
+    singles = [names(one)[0] for one in found.singles if names(one)]
+    others = [names(one)[-1] for one in found.pinned]
+    first = [] if formula else by_share(found, selected)
+    return list(dict.fromkeys([*first, *singles, *others]))
+
+
+def by_share(found: Found, selected: list[str]) -> list[str]:
+    """Of two effects the one first that explains more by itself."""
+    alone = {names(one)[-1]: one.square for one in found.pinned}
+    return sorted(selected, key=lambda name: alone.get(name, np.inf))
