@@ -25,7 +25,7 @@ PERIOD_STEP = 0.02  # s, so that half of a period meets a sample
 PUSHES = {"1/T": (0.25, 0.95), "2/T": (0.25, 0.75)}  # amplitude over the gravity moment
 BUILD = (19.0, 31.0)  # kg/m^2
 HEIGHTS = (1.52, 1.98)  # m
-SCATTER = (0.10, 0.15, 0.06)  # relative, of mass, inertia and COM distance
+SCATTER = (0.10, 0.06, 0.03)  # relative, of mass, COM distance and J / (m l) among people
 STIFFNESS, DAMPING = (1.0, 4.0), (0.09, 0.7)  # of a relaxed knee, beyond which none is drawn
 RELAXED_STIFFNESS = Expected(2.9, 0.6 * 2.9)  # N m/rad
 RELAXED_DAMPING = Expected(0.36, 0.6 * 0.36)  # N m s/rad
@@ -110,13 +110,14 @@ def draw_leg(rng: np.random.Generator, subject: Subject) -> LegParameters:
     assert subject.body_mass is not None
     assert subject.height is not None
     expected = expected_leg(subject.body_mass, subject.height, table="de_leva")
+    mass, distance = expected.mass.value, expected.com_distance.value
+    usual = mass, distance, expected.inertia.value / (mass * distance)
     while True:
-        mass, inertia, distance = (
-            around(rng, Expected(each.value, part * each.value))
-            for each, part in zip(
-                (expected.mass, expected.inertia, expected.com_distance), SCATTER, strict=True
-            )
+        mass, distance, pendulum = (
+            around(rng, Expected(value, part * value))
+            for value, part in zip(usual, SCATTER, strict=True)
         )
+        inertia = mass * distance * pendulum
         leg = LegParameters(
             *(jnp.asarray(each) for each in (mass, inertia, distance)),
             damping=jnp.asarray(around(rng, RELAXED_DAMPING, *DAMPING)),
