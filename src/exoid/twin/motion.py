@@ -14,13 +14,14 @@ from exoid.physics.leg import LegModel
 from exoid.physics.moment import Moment, SegmentConstants
 from exoid.physics.motion.simulate import FIRST, cycle_of, simulate
 from exoid.physics.motion.step import march, rk4
-from exoid.physics.motion.with_terms import delayed, errors
+from exoid.physics.motion.with_terms import delayed, errors, sticky
 from exoid.physics.state import LegState
 from exoid.physics.term import SensorTerm
 from exoid.physics.torque import CycleTorque, NoTorque
 from exoid.recordings.recording import Kind
 from exoid.twin.sensors import ShownMotion
 
+TURNING = 8  # parts of a time step in which dry friction may turn over
 REST = 1.5  # s held still before each release
 REST_MARKED = 1.0  # s of that rest which belong to the segment
 CATCH = 0.03  # s, time constant with which a hand stops the leg
@@ -131,7 +132,9 @@ def release(
     def motion(number, start, period, amplitude, mass, distance):
         torque = CycleTorque(amplitude, period, CYCLES[reading] / period, jnp.zeros(()))
         driven = replace(model, leg=model.leg.with_added_mass(mass, distance), torque=torque)
-        moved = simulate(driven, LegState(start, jnp.zeros_like(start)), time, number)
+        begin = LegState(start, jnp.zeros_like(start))
+        parts = TURNING if sticky(model.terms) else 1
+        moved = simulate(driven, begin, time, number, parts=parts)
         return ShownMotion(moved.shown_angle, moved.shown_velocity, moved.angular_acceleration)
 
     rows = [

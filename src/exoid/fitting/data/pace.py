@@ -10,6 +10,7 @@ from exoid.recordings.signal.turns import QUICK
 LEG = 5.0  # rad/s, a leg's pace
 RADIANS = 0.2  # of an oscillation that a Runge-Kutta step may span: 0.2^4 / 120 is 1.3e-5 a radian
 MOST_PARTS = 16  # of a step
+TURNING = 1.25e-3  # s, by which dry friction may turn over too late
 
 
 @remembered  # every step of a fit asks for it
@@ -28,6 +29,12 @@ def parts_of(movements: list[Movement]) -> int:
     rates = [(pace(each), float(np.median(np.diff(each.segment.time)))) for each in movements]
     wanted = [rate * step / RADIANS for rate, step in rates if rate > QUICK]
     return int(min(np.ceil(max(wanted, default=1.0)), MOST_PARTS))
+
+
+def parts_of_a_leg_that_sticks(movements: list[Movement]) -> int:
+    """The same where dry friction turns over with the leg, which is felt at the end of a part."""
+    steps = [float(np.median(np.diff(each.segment.time))) for each in movements]
+    return max(parts_of(movements), min(int(np.ceil(max(steps) / TURNING - 1e-6)), MOST_PARTS))
 
 
 def unhurried(movement: Movement, width: float) -> float:

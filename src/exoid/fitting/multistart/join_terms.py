@@ -8,13 +8,14 @@ import numpy as np
 
 from exoid.fitting.model.coordinates import Coordinates
 from exoid.fitting.multistart.simpler_problems import as_declared, with_terms_kept
-from exoid.fitting.multistart.tethers import COARSE, FINE
+from exoid.fitting.multistart.tethers import COARSE, FINE, tethers, without_thrust
 from exoid.fitting.solve.ask import advance, finite, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
 NEARBY = 100.0  # tolerance, in units of noise, of a leg on its way to terms that change after it
 BEATEN = 2.0  # times the best loss, after one bout of the solver
+MISSED = 1.5  # times the noise, beyond which legs are led on with their terms
 BEHIND = "with its terms it was far behind the best after one bout of the solver"
 
 
@@ -24,7 +25,9 @@ def join_terms(
     """Where starts end freely; each start's end; why some were lost.
 
     Leg and terms run free at once, and again after the leg, its recordings as declared, has found
-    its way to the terms as they begin: what both are far from may pass for a frame that rings. What
+    its way to the terms as they begin: what both are far from may pass for a frame that rings.
+    Where none comes near the noise, they do also after both were led along the measured motion: a
+    leg that sticks is stopped too soon by what Eq. 9 took for damping, in a valley of its own. What
     one bout of the solver shows to be beaten is lost.
     """
     fine = task(problem, 0.0, problem.steps, FINE)
@@ -33,17 +36,31 @@ def join_terms(
     bout = task(problem, 0.0, problem.steps, COARSE, rounds=1)
     towards = replace(bout, tolerance=np.asarray(NEARBY))
     led = advance(with_terms_kept(as_declared(problem)), gathered, towards).coordinates
-    both = jax.tree.map(lambda *each: np.concatenate(each), gathered, led)
-    tried = advance(problem, both, bout)
+    tried = advance(problem, joined(gathered, led), bout)
+    if 2 * finite(tried.loss).min() > MISSED**2 * problem.samples.sum():
+        tried = joined(tried, advance(problem, led_with_terms(problem, gathered), bout))
     kept = np.flatnonzero(finite(tried.loss) <= BEATEN * finite(tried.loss).min())
     free = advance(problem, take(tried.coordinates, kept), fine)
-    loss = np.full((2, gathered.log_mass.size), np.inf)
+    loss = np.full((tried.loss.size // gathered.log_mass.size, gathered.log_mass.size), np.inf)
     loss.flat[kept] = finite(free.loss)
     end = np.full(loss.size, -1)
     end[kept] = np.arange(kept.size)
     better = end.reshape(loss.shape)[np.argmin(loss, axis=0), np.arange(loss.shape[1])]
-    rows = np.unique(better[better >= 0])  # of two ends, a start has the better one
+    rows = np.unique(better[better >= 0])  # of its ends, a start has the best one
     better = np.where(better < 0, -1, np.searchsorted(rows, better))
     found = np.append(better, -1)[member]
     behind = {BEHIND: int(((member >= 0) & (found < 0)).sum())}
     return take(free, rows), found, dict(Counter(failures) + Counter(behind))
+
+
+def led_with_terms(problem: Problem, starts: Coordinates) -> Coordinates:
+    """Where leg and terms come to, tied to the measured motion and then less."""
+    for tether in tethers(problem):
+        asked = task(problem, tether, problem.steps, COARSE, rounds=1)
+        starts = without_thrust(advance(as_declared(problem), starts, asked).coordinates)
+    return starts
+
+
+def joined(*each):
+    """Starts or ends one after the other."""
+    return jax.tree.map(lambda *leaves: np.concatenate(leaves), *each)

@@ -5,6 +5,7 @@ from dataclasses import replace
 import jax
 import numpy as np
 
+from exoid.fitting.data.pace import parts_of
 from exoid.fitting.model.systematics import OWNED, deviations
 from exoid.fitting.solve.problem import Problem, known_of
 
@@ -47,7 +48,8 @@ def without_terms(problem: Problem) -> Problem:
         belief, prior=prior, limits=replace(belief.limits, lower_terms=(), upper_terms=())
     )
     known = known_of(movements, belief, OWNED, ())
-    return replace(problem, belief=belief, known=known, owned=OWNED, terms=())
+    seen = replace(problem.observation, parts=parts_of(movements))
+    return replace(problem, observation=seen, belief=belief, known=known, owned=OWNED, terms=())
 
 
 def with_terms_kept(problem: Problem) -> Problem:

@@ -5,10 +5,11 @@ from dataclasses import replace
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observe import observe
+from exoid.fitting.data.pace import parts_of_a_leg_that_sticks
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.systematics import OWNED, deviations
 from exoid.fitting.solve.problem import Problem, known_of
-from exoid.physics.term import Term
+from exoid.physics.term import Term, holds
 
 
 def pose(
@@ -25,9 +26,12 @@ def pose(
     """
     owned = tuple(name for name in owned if name not in {term.replaces for term in terms})
     prior = replace(belief.prior, mounting=deviations(movements, owned))
+    observation = observe(movements, reading)
+    if any(map(holds, terms)):
+        observation = replace(observation, parts=parts_of_a_leg_that_sticks(movements))
     return Problem(
         movements,
-        observe(movements, reading),
+        observation,
         known_of(movements, belief, owned, terms),
         replace(belief, prior=prior),
         chain,
