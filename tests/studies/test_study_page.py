@@ -11,7 +11,7 @@ from pandas import concat
 
 from exoid.report.parts.origin import Origin
 from exoid.studies.page.page import PARTS, build_page
-from exoid.studies.page.parts.numbers import with_interval
+from exoid.studies.page.parts.numbers import tells, with_interval
 from exoid.studies.page.parts.part import Told
 from exoid.studies.page.parts.person import people
 from exoid.studies.page.parts.words import finding
@@ -220,3 +220,10 @@ def test_a_quantity_that_is_another_but_for_a_factor_is_counted_once(study):
     tree = parse(build_page(told(both, by="group")))
     assert "over 2 quantities, by Holm" in tree.by_id("origin").text
     assert "Yes, in 1 of 2 quantities." in tree.by_id("summary").text
+
+
+def test_a_difference_that_may_be_anything_is_not_told():
+    told, untold = Interval(0.4, 0.1, 0.7), Interval(0.2, -725.0, 725.0)
+    assert tells(told)
+    assert not tells(untold)
+    assert not tells(Interval(0.2, float("nan"), float("nan")))

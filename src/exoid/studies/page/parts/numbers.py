@@ -6,6 +6,7 @@ from exoid.report.words.text import exponent, shown_unit
 from exoid.studies.statistics.tables.said import Interval
 
 MOST_DECIMALS, LARGE = 6, 1e5
+WIDEST = 20.0  # standard deviations, of the interval of a g that still tells something
 NOT_FOUND = "the interval could not be found"
 
 
@@ -30,6 +31,11 @@ def with_interval(each: Interval, unit: str = "1") -> str:
     half = (each.high - each.low) / 2
     value, low, high = (number(one, half) for one in (each.value, each.low, each.high))
     return f"{value}{shown} (95 % {low} to {high})"
+
+
+def tells(g: Interval) -> bool:
+    """Is a standardised difference known to some degree?"""
+    return bool(g.high - g.low < WIDEST)
 
 
 def in_brackets(each: Interval, unit: str = "1") -> str:

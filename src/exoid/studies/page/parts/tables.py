@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from exoid.report.tables.table import Column, Table
 from exoid.report.words.text import quantity_words, shown_unit
-from exoid.studies.page.parts.numbers import in_brackets, number, p_cell
+from exoid.studies.page.parts.numbers import in_brackets, number, p_cell, tells
 from exoid.studies.page.parts.words import cause_words, column_words, grade, limits, shares
 from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.asked import Answer, Answers
@@ -14,7 +14,6 @@ from exoid.studies.statistics.presence import Count, without_numbers
 from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.tables.frames import Frame
 
-UNTOLD = 20.0  # width of the interval of a g from which on it says nothing
 SHOWN = 200  # rows of a list of recordings; the rest is counted
 
 
@@ -64,7 +63,7 @@ def pairs(found: Comparison, corrected: float) -> list[tuple[str, ...]]:
             name if not at else "",
             f"{one.second} - {one.first}",
             in_brackets(one.effect, found.unit),
-            in_brackets(one.g) if one.g.high - one.g.low < UNTOLD else "not told",
+            in_brackets(one.g) if tells(one.g) else "not told",
             p_cell(one.p),
             p_cell(corrected) if not at else "",
         )

@@ -8,7 +8,7 @@ from exoid.report.pictures.axis import view
 from exoid.report.pictures.panel import Axis, Bars, Panel, Picture, Points, Rule
 from exoid.report.pictures.role import Role
 from exoid.report.words.text import quantity_words
-from exoid.studies.page.parts.numbers import with_interval
+from exoid.studies.page.parts.numbers import tells, with_interval
 from exoid.studies.page.parts.words import cause_words, column_words
 from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.physics import Cause
@@ -59,11 +59,11 @@ def reliabilities(found: Sequence[Reliability]) -> Picture:
 
 
 def effects(found: Sequence[Comparison]) -> Picture | None:
-    """Hedges' g of two groups; of more there is no one number."""
+    """Hedges' g of two groups, where it is told; of more there is no one number."""
     rows = {
         quantity_words(each.quantity): each.differences[0].g
         for each in found
-        if len(each.differences) == 1 and each.differences[0].g.value == each.differences[0].g.value
+        if len(each.differences) == 1 and tells(each.differences[0].g)
     }
     if len(rows) < 2:
         return None

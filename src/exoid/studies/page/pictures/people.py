@@ -31,9 +31,10 @@ def people(answer: Answer, by: str) -> Picture:
     ticks = tuple((float(at), f"{each} ({counts[each]})") for at, each in enumerate(groups))
     marks = [*clouds(legs, groups, values), *averages(answer.groups, groups)]
     name = capital(quantity_words(values.quantity))
+    seen = view(ends(answer.groups), legs["value"].to_numpy(float))
     panel = Panel(
         Axis(ticks=ticks, limits=(-0.6, len(groups) - 0.4)),
-        Axis(name, shown_unit(values.unit), view([], legs["value"].to_numpy(float))),
+        Axis(name, shown_unit(values.unit), seen),
         tuple(marks),
         size=HEIGHT,
     )
@@ -99,6 +100,13 @@ def told_of(leg, values: Values) -> str:
         amount += f", with a standard deviation of {number(leg.scatter)}{unit}"
     who = f"{leg.person}, {leg.side}" if leg.side else str(leg.person)
     return f"{who}\n{number(leg.value, leg.value / 100)}{unit}\n{amount}"
+
+
+def ends(found) -> list[float]:
+    """Where the intervals of means end."""
+    each = found.groups if isinstance(found, Comparison) else ()
+    both = [end for one in each for end in (one.mean.low, one.mean.high)]
+    return [end for end in both if isfinite(end)]
 
 
 def averages(found, groups: Sequence[str]) -> list[Mark]:
