@@ -74,6 +74,16 @@ def test_an_interpolated_angle_counts_with_the_noise_it_had_before():
     assert 0.5 < np.degrees(found.level) / (0.3 * np.sqrt(100 / 30)) < 2.5
 
 
+@pytest.mark.parametrize(("rate", "every"), [(120, 4), (300, 3), (400, 8)])
+def test_an_angle_whose_gyro_is_faster_is_not_called_smoothed(rate, every):
+    """Cells between its samples are empty: 240 samples tell a deviation to 5 %."""
+    time, angle = sampled(rate, NOISE)
+    angle[np.arange(angle.size) % every != 0] = np.nan
+    found = noise_of([time], [angle], None, angle=True)
+    assert found.level == pytest.approx(NOISE, rel=0.15)
+    assert found.alike_over == 0
+
+
 @pytest.mark.parametrize("rate", [30, 60, 100, 240, 1000])
 @pytest.mark.parametrize("degrees", [0.005, 0.3])
 def test_neighbours_that_share_nothing_are_not_called_smoothed(rate, degrees):

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from exoid.recordings.motion.pieces import find_pieces
+from exoid.recordings.motion.signal import signal_of, smoothed, speed_error
 from exoid.recordings.motion.split import kept_parts
 from exoid.recordings.recording import Segment, Sensors
 
@@ -47,3 +48,16 @@ def test_a_drop_ends_before_the_hand_that_lifts_the_leg_softly(seed):
     log = log_of(session(np.random.default_rng(seed)))
     first, _ = kept_parts(log, find_pieces(log, Sensors(), None))
     assert LIFTED - 1.0 < log.time[first.stop - 1] <= LIFTED
+
+
+def test_empty_cells_between_the_samples_of_an_angle_tell_nothing_of_it():
+    angle = session(np.random.default_rng(3))
+    fine = np.full((angle.size, 4), np.nan)
+    fine[:, 0] = angle
+    time = STEP / 4 * np.arange(fine.size)
+    sparse = signal_of(Segment(time, raw_angle=fine.ravel()), Sensors())
+    plain = signal_of(log_of(angle), Sensors())
+    for width in (0.05, 0.4):
+        assert speed_error(sparse, width) == pytest.approx(speed_error(plain, width))
+        assert smoothed(sparse, width)[1] == pytest.approx(smoothed(plain, width)[1])
+    assert sparse.averaged(STEP).angle_noise == pytest.approx(plain.angle_noise)

@@ -36,6 +36,20 @@ class Signal:
     def step(self) -> float:
         return usual_step(self.time)
 
+    @cached_property
+    def angle_step(self) -> float:
+        return self.step_of(self.angle)
+
+    @cached_property
+    def speed_step(self) -> float:
+        """Of the channel that tells the speed."""
+        return self.angle_step if self.velocity is None else self.step_of(self.velocity)
+
+    def step_of(self, samples: Samples) -> float:
+        """The usual time between known samples [s]: the other sensor may be faster."""
+        known = self.time[~np.isnan(samples)]
+        return usual_step(known) if known.size > 1 else self.step
+
     def part(self, inside: NDArray[np.bool_]) -> "Signal":
         """The samples that are `inside`."""
         velocity = None if self.velocity is None else self.velocity[inside]
@@ -44,22 +58,28 @@ class Signal:
     def averaged(self, step: float) -> "Signal":
         """Means over as many samples as fit into `step` s, where that is more than one."""
         count = block_size(self.step, step)
-        less = np.sqrt(count)
+        block = count * self.step
+        fewer, less = (np.sqrt(max(block / each, 1)) for each in (self.angle_step, self.speed_step))
         return Signal(
             block_means(self.time, count),
             block_means(self.angle, count),
-            self.angle_noise / less,
+            self.angle_noise / fewer,
             None if self.velocity is None else block_means(self.velocity, count),
             self.velocity_noise / less,
         )
 
     def count(self, width: float) -> int:
-        """The samples of a window of `width` s; three carry a line and a check."""
-        return max(3, round(width / self.step))
+        """The samples that tell the speed in `width` s; three carry a line and a check."""
+        return in_window(width, self.speed_step)
 
     def spread(self, width: float) -> float:
         """The standard deviation of their times [s]."""
-        return self.step * sqrt((self.count(width) ** 2 - 1) / 12)
+        return self.speed_step * sqrt((self.count(width) ** 2 - 1) / 12)
+
+
+def in_window(width: float, step: float) -> int:
+    """How many samples, `step` s apart, are in a window of `width` s, taken as three at least."""
+    return max(3, round(width / step))
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,7 +165,7 @@ def velocity_over(signal: Signal, width: float) -> Samples:
 
 def smoothed(signal: Signal, width: float) -> tuple[Samples, float]:
     """The angle over windows of `width` s, and its error."""
-    return lines(signal, width)[0], signal.angle_noise / sqrt(signal.count(width))
+    return lines(signal, width)[0], signal.angle_noise / sqrt(in_window(width, signal.angle_step))
 
 
 def lines(signal: Signal, width: float) -> tuple[Samples, Samples]:

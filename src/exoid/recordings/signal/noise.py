@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from exoid.recordings.recording import Sensors
-from exoid.recordings.samples import Samples, usual_step
+from exoid.recordings.samples import Samples, quantile
 from exoid.recordings.signal.both_sensors.play import Play
 from exoid.recordings.signal.neighbours import Known, known_of
 from exoid.recordings.signal.scatter import FAR, FEWEST, NONE, quantum, robust_deviation
@@ -102,9 +102,16 @@ def noise_of(
     measured = max(float(np.sqrt(np.mean(inside**2))), step, NONE)
     heaviness, width = measured / robust, 0.0
     if angle:
-        measured, width = smoothed(known, usual_step(times[0]), measured)
+        measured, width = smoothed(known, known_step(known), measured)
     level = measured if declared is None or measured > MORE * declared else declared
     return Noise(level, measured, declared, heaviness, samples=errors.size, alike_over=width)
+
+
+def known_step(known: list[Known]) -> float:
+    """The usual time between known samples [s]: where a gyro is faster, an angle has empty cells
+    between them.
+    """
+    return quantile(np.concatenate([np.diff(each.time) for each in known]))
 
 
 def of_few(errors: Samples) -> float:
@@ -116,7 +123,7 @@ def of_few(errors: Samples) -> float:
 
 def smoothed(known: list[Known], step: float, white: float) -> tuple[float, float]:
     """The noise that an angle had before it was smoothed, and over how many seconds [s] its errors
-    are alike now; `white` and 0 where neighbours share nothing. `step` is between samples.
+    are alike now; `white` and 0 where neighbours share nothing. `step` is between known samples.
 
     White noise shows the same beside neighbours far and near, smoothed noise ever more. As many
     independent errors as there are such stretches tell a mean as well as white noise would that is
