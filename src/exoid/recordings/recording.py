@@ -311,8 +311,18 @@ def check_segment(number: int, segment: Segment) -> None:
             number,
             at + 1,
             f"time_s must increase, but in {where} sample {at + 1} ({time[at + 1]:.6f} s) does not "
-            f"come after sample {at} ({time[at]:.6f} s). Did the clock wrap, were rows repeated?",
+            f"come after sample {at} ({time[at]:.6f} s). {why_not_later(float(steps[at]))}",
         )
+
+
+def why_not_later(step: float) -> str:
+    """What makes a time not come after the one before, and what to do."""
+    if step < 0:
+        return "Did the clock wrap, were rows repeated?"
+    return (
+        "Were rows repeated? Then drop them. Were times rounded? Then write them with more digits, "
+        "or leave the column out and give sample_rate_hz in [sensors]."
+    )
 
 
 def check_channel(number: int, entry, samples: Samples | None, size: int) -> None:
@@ -347,11 +357,19 @@ def check_knee(number: int, segment: Segment) -> None:
             continue
         if np.nanmax(angle) - np.nanmin(angle) > KNEE_ANGLE_LIMIT:  # else its zero is elsewhere
             at = int(np.nanargmax(np.abs(angle)))
+            steps = np.diff(angle[~np.isnan(angle)])
+            jump = float(np.degrees(np.abs(steps).max()))
+            wrap = (
+                f" It jumps by {jump:.0f} deg from one sample to the next. Does the encoder pass 0 "
+                "or 360 deg there? Then export it so that it goes on."
+                if jump > 180
+                else ""
+            )
             raise bad_sample(
                 number,
                 at,
                 f"{name} in segment {number}, sample {at} is {angle[at]:g} rad = "
-                f"{np.degrees(angle[at]):.0f} deg, which no knee reaches. Is it in degrees? "
+                f"{np.degrees(angle[at]):.0f} deg, which no knee reaches.{wrap} Is it in degrees? "
                 f"{called(name.removesuffix('_rad') + '_deg')} Is this a rig? Then say so with "
                 '[subject] kind = "rig".',
             )

@@ -41,12 +41,20 @@ def turned(recording: Recording) -> tuple[Recording, Notes]:
     turned = FLIPPED.get(told.flip or "", ())
     sign = -1.0 if "angle" in turned else 1.0
     shift = HANGING if told.zero == "hanging" else -sign * (told.angle_zero or 0.0)
+    if told.angle_zero is not None and recording.subject.kind != "rig":
+        shift -= whole_turns(recording, sign, shift)
     segments = tuple(mended(each, turned, shift) for each in recording.segments)
     zero = None if told.zero == "hanging" else told.zero
     sensors = replace(told, flip=None, zero=zero, angle_zero=None)
     notes = [f"the sign of {named(turned)} is changed, as told."] if turned else []
     notes += [f"the angle is shifted by {np.degrees(shift):+.4g} deg, as told."] if shift else []
     return replace(recording, segments=segments, sensors=sensors), tuple(notes)
+
+
+def whole_turns(recording: Recording, sign: float, shift: float) -> float:
+    """By how many turns [rad] a leg is off, for its encoder's 0 and 360 deg are the same."""
+    angles = np.concatenate([each.best_angle for each in recording.segments])
+    return 2 * np.pi * round(float(np.nanmedian(sign * angles + shift)) / (2 * np.pi))
 
 
 def named(fields: tuple[str, ...]) -> str:

@@ -11,6 +11,7 @@ from exoid.recordings.columns import CHANNELS, NUMERIC
 from exoid.recordings.recording import BadSample, Recording, Segment, Subject
 from exoid.recordings.selection import entries
 from exoid.recordings.tables.assemble import Named
+from exoid.recordings.tables.mending.mend import mended, without_doubled
 from exoid.recordings.tables.sheet import Cells, Place
 from exoid.recordings.tables.sound_segments import Sound, sound
 
@@ -48,10 +49,11 @@ class Built:
     samples: Recording
     kept: Sound
     from_one: bool  # do segments of the table count from 1
+    mending: Notes  # what was mended in its cells
 
     @property
     def notes(self) -> Notes:
-        return (FROM_ONE, *self.kept.notes) if self.from_one else self.kept.notes
+        return (*self.mending, *((FROM_ONE,) if self.from_one else ()), *self.kept.notes)
 
     def described(self, told: Mapping[str, Any]) -> Recording:
         """With what is told of it; of lists with an entry for each segment, those of the kept."""
@@ -63,19 +65,21 @@ class Built:
 
 def build(named: Named, subject: Subject) -> Built:
     """The samples, checked by the recording's own rules; a bad one is named by its line as well."""
-    columns = named.columns
-    starts = segment_starts(columns, named.place)
+    rows, columns, doubled = without_doubled(named.columns)
+    place = replace(named.place, rows=rows)
+    starts = segment_starts(columns, place)
+    columns, notes = mended(columns, starts, rig=subject.kind == "rig")
     stops = [*starts[1:], len(columns["time_s"])]
     segments = [cut(columns, slice(*rows)) for rows in zip(starts, stops, strict=True)]
     kept = sound(segments)
     try:
         samples = Recording(tuple(segments[n] for n in kept.numbers), subject)
-        return Built(samples, kept, from_one(columns))
+        return Built(samples, kept, from_one(columns), (*doubled, *notes))
     except BadSample as error:
-        place = named.place(int(starts[kept.numbers[error.segment]]) + error.sample)
+        where = place(int(starts[kept.numbers[error.segment]]) + error.sample)
         words = [source for own, source in named.sources.items() if str(error).startswith(own)]
         hint = f" ({', '.join(words)}.)" if words else ""
-        raise ValueError(f"{place}: {error}{hint}") from error
+        raise ValueError(f"{where}: {error}{hint}") from error
 
 
 def cut(columns: Mapping[str, Cells], rows: slice) -> Segment:

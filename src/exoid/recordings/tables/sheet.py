@@ -36,9 +36,10 @@ class Place:
 
     word: str = "sample"
     first: int = 0
+    rows: tuple[int, ...] | None = None  # that are left of it; None for all
 
     def __call__(self, row: int) -> str:
-        return f"{self.word} {self.first + row}"
+        return f"{self.word} {self.first + (row if self.rows is None else self.rows[row])}"
 
 
 @dataclass(frozen=True, eq=False)

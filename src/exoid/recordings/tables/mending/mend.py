@@ -1,0 +1,107 @@
+"""The cells of a table without what loggers are known to do to them, said.
+
+What is one way only is mended; whatever else is left as it is, for the recording to refuse.
+"""
+
+import numpy as np
+
+from exoid.files.text_file import Notes
+from exoid.recordings.samples import Samples
+from exoid.recordings.tables.mending.doubled_rows import Cells, Columns, doubled
+from exoid.recordings.tables.mending.full_turns import TURN, turns_left_out
+from exoid.recordings.tables.mending.missing_word import missing_word, named
+from exoid.recordings.tables.mending.rounded_times import unrounded
+
+ANGLES = ("raw_angle_rad", "angle_rad")
+RATES = ("raw_velocity_rad_s", "velocity_rad_s")
+
+
+def without_doubled(columns: Columns) -> tuple[tuple[int, ...] | None, Columns, Notes]:
+    """Which rows are left, None for all, and their cells."""
+    again = doubled(columns)
+    if not again.any():
+        return None, columns, ()
+    rows = tuple(np.flatnonzero(~again).tolist())
+    kept: dict[str, Cells] = {
+        name: cells[~again] if isinstance(cells, np.ndarray) else tuple(cells[row] for row in rows)
+        for name, cells in columns.items()
+    }
+    note = f"{again.sum()} rows are there twice, with the same time and values: each is taken once."
+    return rows, kept, (note,)
+
+
+def mended(columns: Columns, starts: np.ndarray, *, rig: bool) -> tuple[Columns, Notes]:
+    """The columns of segments that begin at these rows, with even times in place of rounded ones,
+    empty cells in place of words for them, and whole turns. A `rig` may jump, or turn on.
+    """
+    parts = [slice(*rows) for rows in zip(starts, [*starts[1:], None], strict=True)]
+    found, notes = dict(columns), []
+    changes = (with_even_times, without_words, *(() if rig else (with_turns,)))
+    for change in changes:
+        more, said = change(found, parts)
+        found |= more
+        notes += said
+    return found, tuple(notes)
+
+
+def with_even_times(columns: Columns, parts: list[slice]) -> tuple[Columns, Notes]:
+    time = np.array(columns["time_s"], dtype=float)
+    steps = []
+    for part in parts:
+        if (even := unrounded(time[part])) is not None:
+            time[part] = even
+            steps.append(1e3 * float(even[1] - even[0]))
+    if not steps:
+        return {}, ()
+    note = (
+        "times are rounded, so that samples have the same: they are taken for evenly apart, by "
+        f"{np.mean(steps):.4g} ms. Write times with more digits."
+    )
+    return {"time_s": time}, (note,)
+
+
+def without_words(columns: Columns, parts: list[slice]) -> tuple[Columns, Notes]:
+    found: dict[str, Cells] = {}
+    notes = []
+    for name in (*ANGLES, *RATES):
+        samples = np.asarray(columns.get(name, np.empty(0)), dtype=float)
+        word = None if np.isnan(samples).all() else missing_word(samples)
+        if word is None:
+            continue
+        found[name] = np.where(samples == word, np.nan, samples)
+        notes.append(
+            f"{np.sum(samples == word)} cells of {name} say {named(word)}, far from all "
+            "others, as where none was measured: they are left out. Leave such cells "
+            "empty."
+        )
+    return found, tuple(notes)
+
+
+def with_turns(columns: Columns, parts: list[slice]) -> tuple[Columns, Notes]:
+    found: dict[str, Cells] = {}
+    notes = []
+    for name in ANGLES:
+        if name in columns and (angle := unwrapped(columns, name, parts)) is not None:
+            found[name] = angle
+            notes.append(
+                "the angle jumps by a turn now and then, as where an encoder passes 0 or 360 deg: "
+                "whole turns are added, so that it goes on."
+            )
+    return found, tuple(notes)
+
+
+def unwrapped(columns: Columns, name: str, parts: list[slice]) -> Samples | None:
+    """An angle with the turns that it lacks, the middle of every segment within half a turn of
+    that of the first, and this within half a turn of 0; None where it lacks none.
+    """
+    time, angle = (np.asarray(columns[each], dtype=float) for each in ("time_s", name))
+    lacks = [turns_left_out(time[part], angle[part]) for part in parts]
+    if all(each is None for each in lacks):
+        return None
+    angle, middle = angle.copy(), 0.0
+    for part, each in zip(parts, lacks, strict=True):
+        angle[part] += 0.0 if each is None else each
+        if not np.isnan(angle[part]).all():
+            angle[part] -= TURN * np.round((np.nanmedian(angle[part]) - middle) / TURN)
+            middle = float(np.nanmedian(angle[part]))
+    return angle

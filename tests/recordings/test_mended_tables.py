@@ -1,0 +1,98 @@
+"""What loggers are known to do to a table is undone, and what is not only that is refused."""
+
+import numpy as np
+import pytest
+from tests.swings import Oscillator
+
+import exoid
+
+STEP = 0.01  # s
+TIME = STEP * np.arange(800)
+LEG = Oscillator()
+ANGLE, RATE = np.degrees(LEG.angle(TIME)), np.degrees(LEG.velocity(TIME))
+
+
+def loaded(folder, time=TIME, angle=ANGLE, rate=RATE, segment=None, sensors=""):
+    """What is loaded of a leg's table as a logger writes it."""
+    path = folder / "leg.csv"
+    path.with_suffix(".toml").write_text(f'[subject]\nkind = "leg"\n[sensors]\n{sensors}\n')
+    segment = np.zeros(np.size(time), int) if segment is None else segment
+    rows = zip(time, segment, angle, rate, strict=True)
+    lines = [f"{t:.6g},{n},{a:.6g},{r:.6g}" for t, n, a, r in rows]
+    path.write_text("\n".join(["time_s,segment,raw_angle_deg,raw_velocity_deg_s", *lines, ""]))
+    return exoid.load(path, whole=True)
+
+
+def angle_of(found, segment=0):
+    return np.degrees(found.recording.segments[segment].best_angle)
+
+
+@pytest.mark.parametrize(("zero", "least"), [(70.0, 0.0), (-120.0, -180.0), (250.0, 0.0)])
+def test_an_encoder_that_passes_its_last_count_goes_on(tmp_path, zero, least):
+    shown = (ANGLE + zero - least) % 360 + least
+    twice = np.concatenate([shown, shown])
+    segment = np.repeat([0, 1], TIME.size)
+    found = loaded(
+        tmp_path,
+        np.tile(TIME, 2),
+        twice,
+        np.tile(RATE, 2),
+        segment,
+        sensors=f"angle_zero_deg = {zero}",
+    )
+    for number in range(2):
+        np.testing.assert_allclose(angle_of(found, number), ANGLE, atol=1e-3)  # six digits
+    if np.ptp(shown) > 180:
+        assert any("whole turns are added" in note for note in found.notes)
+
+
+def test_other_jumps_beside_those_by_a_turn_are_refused_by_name(tmp_path):
+    shown = (ANGLE + 70) % 360
+    shown[400:420] = 180.0
+    with pytest.raises(ValueError, match="Does the encoder pass 0 or 360 deg"):
+        loaded(tmp_path, angle=shown)
+
+
+def test_a_number_that_stands_for_none_is_none(tmp_path):
+    angle, rate = ANGLE.copy(), RATE.copy()
+    angle[5::37], rate[7::40] = -999, 9999
+    found = loaded(tmp_path, angle=angle, rate=rate)
+    segment = found.recording.segments[0]
+    np.testing.assert_array_equal(np.isnan(segment.best_angle), angle == -999)
+    np.testing.assert_array_equal(np.isnan(segment.raw_angular_velocity), rate == 9999)
+    assert sum("far from all others" in note for note in found.notes) == 2
+
+
+def test_a_gyro_that_passes_999_deg_a_second_loses_nothing(tmp_path):
+    rate = np.linspace(-999, 999, TIME.size)
+    segment = loaded(tmp_path, rate=rate).recording.segments[0]
+    assert not np.isnan(segment.raw_angular_velocity).any()
+
+
+def test_rows_that_stand_twice_are_taken_once_and_lines_still_count(tmp_path):
+    row = np.sort(np.concatenate([np.arange(TIME.size), [3, 200, 500]]))
+    found = loaded(tmp_path, TIME[row], ANGLE[row], RATE[row])
+    np.testing.assert_allclose(angle_of(found), ANGLE, atol=1e-3)
+    assert any(note.endswith("3 rows are there twice, with the same time and values: each is taken "
+                             "once.") for note in found.notes)  # fmt: skip
+    time = TIME.copy()
+    time[600] = 0.0
+    with pytest.raises(ValueError, match="line 605: time_s must increase"):  # a header, three more
+        loaded(tmp_path, time[row], ANGLE[row], RATE[row])
+
+
+@pytest.mark.parametrize("rate", [101.0, 128.0, 250.0])
+def test_times_that_were_rounded_until_some_are_alike_are_even(tmp_path, rate):
+    taken = np.arange(900) / rate
+    angle, speed = np.degrees(LEG.angle(taken)), np.degrees(LEG.velocity(taken))
+    found = loaded(tmp_path, np.round(taken, 2), angle, speed)
+    # a line through 900 times that are off by 10 ms / sqrt(12) is known to 3e-5 of its slope
+    assert np.diff(found.recording.segments[0].time) == pytest.approx(1 / rate, rel=2e-4)
+    assert any("times are rounded" in note for note in found.notes)
+
+
+def test_rounded_times_of_a_table_with_a_gap_are_refused_with_a_way_out(tmp_path):
+    taken = np.delete(np.arange(900) / 128, slice(300, 330))
+    angle, speed = np.degrees(LEG.angle(taken)), np.degrees(LEG.velocity(taken))
+    with pytest.raises(ValueError, match="give sample_rate_hz"):
+        loaded(tmp_path, np.round(taken, 2), angle, speed)
