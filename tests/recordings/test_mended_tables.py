@@ -59,14 +59,16 @@ def test_a_number_that_stands_for_none_is_none(tmp_path):
     found = loaded(tmp_path, angle=angle, rate=rate)
     segment = found.recording.segments[0]
     np.testing.assert_array_equal(np.isnan(segment.best_angle), angle == -999)
-    np.testing.assert_array_equal(np.isnan(segment.raw_angular_velocity), rate == 9999)
+    np.testing.assert_array_equal(
+        np.isnan(segment.channels()["raw_angular_velocity"]), rate == 9999
+    )
     assert sum("far from all others" in note for note in found.notes) == 2
 
 
 def test_a_gyro_that_passes_999_deg_a_second_loses_nothing(tmp_path):
     rate = np.linspace(-999, 999, TIME.size)
     segment = loaded(tmp_path, rate=rate).recording.segments[0]
-    assert not np.isnan(segment.raw_angular_velocity).any()
+    assert not np.isnan(segment.channels()["raw_angular_velocity"]).any()
 
 
 def test_rows_that_stand_twice_are_taken_once_and_lines_still_count(tmp_path):
