@@ -11,6 +11,7 @@ from exoid.report.words.diagnosis.sentences import sentences
 
 GRAVITY, STIFFNESS, DAMPING = 27.752, 6.579, 1.0526  # over the inertia
 CLOCK = 0.01 * np.arange(500)
+STEP = np.radians(0.5)  # of a coarse encoder
 NOISE, RATE_NOISE = np.radians(0.1), np.radians(0.2)
 
 
@@ -59,6 +60,43 @@ def test_noise_that_does_not_grow_is_no_jitter(leg):
     each = [recorded(leg, 0.0, seed) for seed in range(20)]
     assert {time_jitter(one, "raw_angle") for one in each} == {None}
     assert {time_jitter(one, "raw_angular_velocity") for one in each} == {None}
+
+
+@pytest.mark.parametrize("noise", [0.01, 0.02])
+def test_the_rounding_of_a_coarse_encoder_is_no_jitter(noise):
+    """Of a leg that creeps back, in steps of 0.5 deg; with little noise, none shows at rest."""
+    one = crept(noise, 0.0)
+    assert {time_jitter(one(seed), "raw_angle") for seed in range(10)} == {None}
+
+
+def test_jitter_shows_beside_rounding():
+    """Few samples of such a leg are fast: they tell 5 ms to some 10 %."""
+    found = time_jitter(crept(0.01, 5e-3)(0), "raw_angle")
+    assert found is not None
+    assert found.jitter == pytest.approx(5e-3, rel=0.33)
+    assert found.steady > 0.999 * STEP / np.sqrt(12)
+
+
+def crept(noise: float, jitter: float):
+    """A very damped leg, held for 0.6 s, then free, by an encoder with steps of 0.5 deg whose
+    `noise` is in degrees; samples are taken `jitter` s from where their times say.
+    """
+
+    def slope(_, state):
+        angle, rate = state
+        return rate, -24.0 * np.cos(angle) - 5.0 * angle - 8.0 * rate
+
+    def recording(seed: int) -> exoid.Recording:
+        random, segments, clock = np.random.default_rng(seed), [], 0.01 * np.arange(760)
+        for start in np.radians([-15.0, -30.0, -50.0, -22.0]):
+            swing = solve_ivp(slope, (0.0, 8.0), [start, 0.0], rtol=1e-9, dense_output=True).sol
+            taken = clock + jitter * random.normal(size=clock.size)
+            angle = swing(np.maximum(taken - 0.6, 0.0))[0]
+            angle = angle + np.radians(noise) * random.normal(size=clock.size)
+            segments.append(exoid.Segment(clock, raw_angle=np.round(angle / STEP) * STEP))
+        return exoid.Recording(tuple(segments), subject=exoid.Subject(body_mass=72.0, height=1.75))
+
+    return recording
 
 
 def test_a_leg_that_strikes_is_no_jitter(leg):

@@ -6,7 +6,9 @@ beside what the sensor errs. Its noise has the variance
     steady^2 + jitter^2 rate^2
 
 and is told without a model: by how the departures of samples from their neighbours grow with the
-rate. A blurred image, or a clock that is read late, looks the same and is weighed the same.
+rate. A blurred image, or a clock that is read late, looks the same and is weighed the same. The
+rounding of a coarse sensor errs at rest as well, where it does not scatter: no noise counts for
+less.
 """
 
 from dataclasses import dataclass, replace
@@ -20,7 +22,7 @@ from exoid.recordings.samples import Samples
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.neighbours import interpolation_errors
 from exoid.recordings.signal.noise import Noise
-from exoid.recordings.signal.scatter import robust_deviation
+from exoid.recordings.signal.scatter import quantum, robust_deviation
 from exoid.recordings.signal.turns import coarse
 
 WIDTH = 0.06  # s, over which a rate is told
@@ -73,7 +75,8 @@ def time_jitter(recording: Recording, channel: str) -> TimeJitter | None:
     told = [departures(*each) for each in signals]
     errors, rates = (np.concatenate(each) for each in zip(*told, strict=True))
     groups = min(GROUPS, errors.size // FEWEST)
-    return None if groups < LEAST_GROUPS else grown(errors, rates, groups)
+    rounding = quantum([samples for _, samples in signals]) / np.sqrt(12)
+    return None if groups < LEAST_GROUPS else grown(errors, rates, groups, rounding)
 
 
 def departures(time: Samples, samples: Samples) -> tuple[Samples, Samples]:
@@ -83,17 +86,20 @@ def departures(time: Samples, samples: Samples) -> tuple[Samples, Samples]:
     return errors[known], rates[known]
 
 
-def grown(errors: Samples, rates: Samples, groups: int) -> TimeJitter | None:
-    """The line of squared deviations over squared rates, by groups of samples of like rates."""
+def grown(errors: Samples, rates: Samples, groups: int, rounding: float) -> TimeJitter | None:
+    """The line of squared deviations over squared rates, by groups of samples of like rates, none
+    of which deviates by less than its `rounding` (standard deviation).
+    """
     parts = np.array_split(np.argsort(np.abs(rates)), groups)
-    squares = np.array([robust_deviation(errors[part]) ** 2 for part in parts])
+    squares = np.array([robust_deviation(errors[part], rounding) ** 2 for part in parts])
     design = np.stack([np.ones(groups), [np.mean(rates[part] ** 2) for part in parts]], axis=1)
     expected, least = np.full(groups, squares.mean()), 1e-3 * squares.mean()
     for _ in range(ROUNDS):
         line = fitted(design, squares, expected, errors.size / groups)[0]
         expected = np.maximum(design @ line, least)
     line, covariance, scatter = fitted(design, squares, expected, errors.size / groups)
-    return judged(line, covariance[1, 1] * max(scatter, 1.0), float(np.mean(rates**2)))
+    variance = covariance[1, 1] * max(scatter, 1.0)
+    return judged(line, variance, float(np.mean(rates**2)), rounding)
 
 
 def fitted(
@@ -109,9 +115,11 @@ def fitted(
     return line, covariance, float(scatter)
 
 
-def judged(line: Float[np.ndarray, "2"], variance: float, swept: float) -> TimeJitter | None:
+def judged(
+    line: Float[np.ndarray, "2"], variance: float, swept: float, rounding: float
+) -> TimeJitter | None:
     """What the line says, where it rises for sure and by enough."""
-    steady, growth = np.maximum(line, 0.0)
+    steady, growth = np.maximum(line, [rounding**2, 0.0])
     sure = growth > SURE * np.sqrt(variance)
     worth = growth * swept > WORTH * (steady + growth * swept)
     return TimeJitter(float(np.sqrt(steady)), float(np.sqrt(growth))) if sure and worth else None
