@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import exoid
-from exoid.recordings.conventions.held_values import without_held
+from exoid.recordings.conventions.left_out.held_values import without_held
 
 TIME = np.linspace(0.0, 4.99, 500)
 LEG = solve_ivp(

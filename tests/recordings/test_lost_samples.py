@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import exoid
-from exoid.recordings.conventions.lost_samples import lost, without_lost_samples, zeros
+from exoid.recordings.conventions.left_out.lost_samples import lost, without_lost_samples, zeros
 
 TIME = 0.01 * np.arange(500)
 PHASE, FALL = 5.0 * TIME, np.exp(-0.6 * TIME)

@@ -18,8 +18,9 @@ from exoid.recordings.conventions.file_clock import (
     wrong_clock,
 )
 from exoid.recordings.conventions.gyro_agreement import dead_gyro, wrong_sign, wrong_unit
-from exoid.recordings.conventions.held_values import without_held
-from exoid.recordings.conventions.lost_samples import without_lost_samples
+from exoid.recordings.conventions.left_out.gyro_limit import without_saturated
+from exoid.recordings.conventions.left_out.held_values import without_held
+from exoid.recordings.conventions.left_out.lost_samples import without_lost_samples
 from exoid.recordings.conventions.mounting import settled, turned
 from exoid.recordings.conventions.other_leg import another_leg
 from exoid.recordings.conventions.thin import thinned
@@ -53,8 +54,9 @@ def understand(
     notes = (*unlike_rate(recording), *held, *batched, *notes)
     if not whole:
         recording, lost = without_lost_samples(recording)
+        recording, saturated = without_saturated(recording)
         recording, averaged = thinned(recording)
-        notes = (*notes, *lost, *averaged)
+        notes = (*notes, *lost, *saturated, *averaged)
     found = cut_up(recording, cut, whole=whole)
     movements = found.recording
     refuse(wrong_convention(movements, cut=movements is not recording or not whole))
