@@ -152,6 +152,8 @@ def test_a_formula_of_half_a_torque_is_not_that_torque():
     one = novel()
     assert one.formula is not None
     whole, half = one, replace(one, formula=replace(one.formula, explained=0.54))
+    assert sentences(half)["Missing"].endswith("which leaves only noise")  # where it runs free
+    half = replace(half, best=replace(half.best, mean_square=3.0))
     assert sentences(whole)["Missing"].startswith("tau = 0.2 sin(8 x) N m")
     assert "no short formula" in sentences(half)["Missing"]
     assert sentences(half)["Missing"].endswith("explains only 54% of its variance")

@@ -26,7 +26,8 @@ def without_doubled(columns: Columns) -> tuple[tuple[int, ...] | None, Columns, 
         name: cells[~again] if isinstance(cells, np.ndarray) else tuple(cells[row] for row in rows)
         for name, cells in columns.items()
     }
-    note = f"{again.sum()} rows are there twice, with the same time and values: each is taken once."
+    number, verb = ("1 row", "is") if again.sum() == 1 else (f"{again.sum()} rows", "are")
+    note = f"{number} {verb} there twice, with the same time and values: taken once."
     return rows, kept, (note,)
 
 
@@ -45,6 +46,7 @@ def mended(columns: Columns, starts: np.ndarray, *, rig: bool) -> tuple[Columns,
 
 
 def with_even_times(columns: Columns, parts: list[slice]) -> tuple[Columns, Notes]:
+    """The times, of segments that were taken evenly and stamped with too few digits."""
     time = np.array(columns["time_s"], dtype=float)
     steps = []
     for part in parts:
@@ -61,6 +63,7 @@ def with_even_times(columns: Columns, parts: list[slice]) -> tuple[Columns, Note
 
 
 def without_words(columns: Columns, parts: list[slice]) -> tuple[Columns, Notes]:
+    """The channels in which a number stands for none, with empty cells there."""
     found: dict[str, Cells] = {}
     notes = []
     for name in (*ANGLES, *RATES):
@@ -78,6 +81,7 @@ def without_words(columns: Columns, parts: list[slice]) -> tuple[Columns, Notes]
 
 
 def with_turns(columns: Columns, parts: list[slice]) -> tuple[Columns, Notes]:
+    """The angles that jump by whole turns, going on there."""
     found: dict[str, Cells] = {}
     notes = []
     for name in ANGLES:

@@ -33,16 +33,21 @@ def named(found: Diagnosis) -> list[str]:
 
 
 def in_formula(found: Diagnosis, own: NovelTorque) -> str:
-    """A formula with its units, and how much it explains."""
+    """A formula with its units, and how much it explains. Along the measured motion it may explain
+    less than it does running free, where that leaves only noise.
+    """
     share, words = f"{own.explained:.0%}", formula_words(found, own)
     clock = ", t in s from a segment's first fitted sample on" if "t" in arguments(own) else ""
     units = f"x in rad, v in rad/s{clock}"
     if words == own.words:
         units = f"{units}; {for_inertia(found.inertia, found.fit)}"
-    if own.explained < WHOLE:
-        said = f"a torque that is no short formula; {words} ({units})"
-        return f"{said} explains only {share} of its variance{at_once(own)}"
-    said = f"{words} ({units}), which explains {share} of the missing torque's variance"
+    if own.explained >= WHOLE:
+        said = f"{words} ({units}), which explains {share} of the missing torque's variance"
+    elif found.explained:
+        said = f"{words} ({units}), which leaves only noise"
+    else:
+        words = f"a torque that is no short formula; {words}"
+        said = f"{words} ({units}) explains only {share} of its variance"
     return f"{said}{at_once(own)}"
 
 
