@@ -13,6 +13,7 @@ from .scenario import Scenario
 AS_RIGHT = {
     "stiffness_rest_angle": ("torque_bias",),
     "torque_bias": ("stiffness_rest_angle",),
+    "cubic_damping_novel": ("power_drag",),
 }
 NEARLY = {
     "coulomb_friction": ("stribeck_friction",),

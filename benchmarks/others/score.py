@@ -25,6 +25,7 @@ EQUAL = {  # names that are as right, since no drop tells them apart
     "stiffness_rest_angle": {"torque_bias", "angle_offset"},
     "coulomb_friction": {"stribeck_friction"},
     "quadratic_drag": {"power_drag"},
+    "cubic_damping_novel": {"power_drag"},
     "cubic_stiffness": {"end_range_stiffening", "slack_cubic_stiffness"},
     "hard_stop": {"end_range_stiffening"},
     "gyro_scale": {"encoder_gain"},
