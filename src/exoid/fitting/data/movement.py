@@ -51,6 +51,7 @@ class Movement:
     divisor: float | None = None  # rad, of the angle's residuals; None: its noise
     angle_jitter: TimeJitter | None = None  # where the noise grows with speed
     gyro_jitter: TimeJitter | None = None
+    rounds_alike: bool = False  # at rest a coarse encoder errs alike in all samples
 
     @cached_property
     def angle_noise(self) -> float:

@@ -2,6 +2,7 @@
 
 import jax
 import numpy as np
+from numpy.typing import NDArray
 from scipy.interpolate import make_interp_spline
 
 from exoid.fitting.data.movement import Movement, smoothed_motion
@@ -12,11 +13,12 @@ from exoid.fitting.model.systematics import SOMEWHERE, beside_unplaced
 from exoid.physics.cycle_shape import cycle_shape
 from exoid.physics.motion.step import Drive
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import torque_frequencies
+from exoid.recordings.signal.condition import runs, torque_frequencies
 from exoid.recordings.signal.local_line import interpolated, local_line
 
 LONGEST_STEP = 0.02  # s; a gap or slow sampling is bridged by samples that weigh nothing
 SPLINE = 5  # order of a smooth torque's spline
+STANDS = 30  # samples in a row of one value: noise of a third of a step makes one of 1000 as long
 GUIDE_WIDTH = 0.06  # s, over which angle and velocity are smoothed to guide a start
 
 
@@ -82,6 +84,8 @@ def one_observation(
 
     jitter = each.angle_jitter if each.divisor is None else None
     angle, angle_weight = placed(each.angle, each.residual_unit, jitter)
+    if each.rounds_alike and each.divisor is None:
+        angle_weight[at[standing(each.angle)]] = 0.0
     rate, rate_noise = each.angular_velocity, each.velocity_noise
     velocity, velocity_weight = placed(rate, rate_noise, each.gyro_jitter)
     width = unhurried(each, GUIDE_WIDTH)
@@ -106,6 +110,18 @@ def one_observation(
         clock=clock(each, number, reading),
         parts=parts,
     )
+
+
+def standing(samples: Samples) -> NDArray[np.bool_]:
+    """Which samples of every long stand on one value are not its middle: what a coarse encoder
+    rounds off at rest is one error, in however many samples.
+    """
+    found = np.zeros(samples.size, dtype=bool)
+    for first, last in runs(samples[1:] == samples[:-1]):
+        if last - first + 2 >= STANDS:
+            found[first : last + 2] = True
+            found[(first + last + 1) // 2] = False
+    return found
 
 
 def staged(time: Samples, torque) -> Drive:

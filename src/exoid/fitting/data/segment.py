@@ -67,6 +67,7 @@ def movement(
         filter_step=recording.sensors.filter_step,
         angle_jitter=jitter_beside(noises[0], recording, "raw_angle"),
         gyro_jitter=jitter_beside(noises[1], recording, "raw_angular_velocity"),
+        rounds_alike=raw and recording.subject.kind != "rig",
     )
     return weightless(whole, np.arange(angle.size) < part.free - part.start)
 

@@ -18,6 +18,7 @@ from exoid.recordings.motion.thresholds import LATE, REST
 
 LOUD = 2.0  # times the noise that a drop misses by, where a hand kept its leg
 FOLLOWS = 1.5  # times the noise that a drop may miss where no hand is on it
+BY_CHANCE = 4.0  # standard deviations of a sum of squares
 ALONE = 1  # drop at least must show how a leg ends by itself
 
 Fitted = tuple[Problem, SearchResult]
@@ -78,9 +79,10 @@ def simulated(whole: Problem, found: SearchResult) -> Solved:
 
 
 def misses(whole: Problem, there: Solved, number: int) -> np.ndarray:
-    """What a simulation misses of the angle, over its noise."""
+    """What a simulation misses of the angle, over its noise, where that counts."""
     each, rows = whole.movements[number], whole.own_rows(number)
-    return (each.angle - there.angle[0, number][rows]) / each.angle_noise
+    missed = (each.angle - there.angle[0, number][rows]) / each.angle_noise
+    return np.where(np.asarray(whole.observation.angle_weight)[number, rows] > 0, missed, np.nan)
 
 
 def missed_at_end(whole: Problem, there: Solved, number: int) -> float:
@@ -94,6 +96,12 @@ def follows_until(whole: Problem, there: Solved, number: int) -> int:
     time, sure = each.segment.time, sure_until(each)
     for first in range(sure, time.size):
         window = miss[first : int(np.searchsorted(time, time[first] + REST))]
-        if np.isfinite(window).any() and np.nanmean(window**2) > FOLLOWS**2:
+        if beyond_noise(window[np.isfinite(window)]):
             return max(int(np.searchsorted(time, time[first] - LATE)), sure)
     return time.size
+
+
+def beyond_noise(window: np.ndarray) -> bool:
+    """Is what is missed more than a drop may miss, and than its few samples do by chance?"""
+    count, square = window.size, float(window @ window)
+    return square > max(FOLLOWS**2 * count, count + BY_CHANCE * np.sqrt(2 * count))
