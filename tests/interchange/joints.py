@@ -7,6 +7,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from exoid.fitting.data.pace import parts_to_turn
 from exoid.interchange.formats.python import python
 from exoid.interchange.model.called import called
 from exoid.interchange.model.formulas import part_of
@@ -16,7 +17,7 @@ from exoid.physics.leg import LegModel
 from exoid.physics.library import library
 from exoid.physics.moment import SegmentConstants
 from exoid.physics.motion.simulate import Trajectory, cycle_of, simulate
-from exoid.physics.motion.with_terms import at_rest
+from exoid.physics.motion.with_terms import at_rest, sticky
 from exoid.physics.parameter import declarations
 from exoid.physics.state import LegState
 from exoid.physics.term import Term, name_of
@@ -39,7 +40,9 @@ class Case:
     model: LegModel
 
     def motion(self, finer: int = 1) -> Trajectory:
-        """At the joint's times, in steps that are so many times finer."""
+        """At the joint's times, in steps that are so many times finer; dry friction turns over as
+        often as in a fit.
+        """
         times = self.joint.times
         parts = np.arange(finer) / finer
         fine = (times[:-1, None] + parts * np.diff(times)[:, None]).ravel()
@@ -49,6 +52,7 @@ class Case:
             start,
             jnp.asarray(np.append(fine, times[-1])),
             jnp.asarray(float(self.joint.number)),
+            parts=parts_to_turn(float(np.diff(fine)[0])) if sticky(self.model.terms) else 1,
         )
         return jax.tree.map(lambda each: each[::finer], found)
 

@@ -32,9 +32,14 @@ def parts_of(movements: list[Movement]) -> int:
 
 
 def parts_of_a_leg_that_sticks(movements: list[Movement]) -> int:
-    """The same where dry friction turns over with the leg, which is felt at the end of a part."""
+    """The same where dry friction turns over with the leg."""
     steps = [float(np.median(np.diff(each.segment.time))) for each in movements]
-    return max(parts_of(movements), min(int(np.ceil(max(steps) / TURNING - 1e-6)), MOST_PARTS))
+    return max(parts_of(movements), parts_to_turn(max(steps)))
+
+
+def parts_to_turn(step: float) -> int:
+    """Of a step [s], at whose ends dry friction turns over."""
+    return min(int(np.ceil(step / TURNING - 1e-6)), MOST_PARTS)
 
 
 def unhurried(movement: Movement, width: float) -> float:

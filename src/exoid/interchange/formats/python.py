@@ -4,13 +4,14 @@ from collections.abc import Iterable, Mapping
 
 import numpy as np
 
+from exoid.fitting.data.pace import parts_to_turn
 from exoid.interchange.formats.python_frame import FRAME
 from exoid.interchange.formula.expression import Expression, known, make, number, symbol
 from exoid.interchange.formula.spell import FORMULA, Language, lines
 from exoid.interchange.model.described import in_docstring
 from exoid.interchange.model.formulas import acceleration, eq9, friction, torque_over_time
 from exoid.interchange.model.joint import STILL, Exported, Joint, Kept, Number, Part
-from exoid.physics.term import strikes
+from exoid.physics.term import holds, strikes
 from exoid.physics.torque import MeasuredTorque
 
 MOVING = ("time", "angle", "rate", "push")
@@ -72,7 +73,8 @@ def pieces(joint: Joint) -> int:
     """Steps in an interval: as many as the fastest term asks for, and more for contacts."""
     terms = [each.term for each in joint.parts]
     finer = UNFORESEEN if any(strikes(type(each)) for each in terms) else 1
-    return finer * max([1, *(each.substeps for each in terms)])
+    turning = parts_to_turn(interval(joint)) if any(holds(type(each)) for each in terms) else 1
+    return finer * max([turning, *(each.substeps for each in terms)])
 
 
 def remembered(parts: Iterable[Part]) -> list[float]:
