@@ -7,7 +7,6 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from exoid.fitting.data.pace import parts_to_turn
 from exoid.interchange.formats.python import python
 from exoid.interchange.model.called import called
 from exoid.interchange.model.formulas import part_of
@@ -17,6 +16,7 @@ from exoid.physics.leg import LegModel
 from exoid.physics.library import library
 from exoid.physics.moment import SegmentConstants
 from exoid.physics.motion.simulate import Trajectory, cycle_of, simulate
+from exoid.physics.motion.turning import parts_to_turn
 from exoid.physics.motion.with_terms import at_rest, sticky
 from exoid.physics.parameter import declarations
 from exoid.physics.state import LegState

@@ -54,6 +54,4 @@ def later(seen: Observation, seconds: float) -> Observation:
     time, weights = np.asarray(seen.time), (seen.angle_weight, seen.velocity_weight)
     measured = sum(np.asarray(each) for each in weights) > 0
     first = np.min(np.where(measured, time, np.inf), axis=1, keepdims=True)
-    known = time >= first + seconds
-    angle, velocity = (np.where(known, each, 0.0) for each in weights)
-    return replace(seen, angle_weight=angle, velocity_weight=velocity)
+    return seen.weighed(time >= first + seconds)

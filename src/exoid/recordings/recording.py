@@ -357,22 +357,26 @@ def check_knee(number: int, segment: Segment) -> None:
             continue
         if np.nanmax(angle) - np.nanmin(angle) > KNEE_ANGLE_LIMIT:  # else its zero is elsewhere
             at = int(np.nanargmax(np.abs(angle)))
-            steps = np.diff(angle[~np.isnan(angle)])
-            jump = float(np.degrees(np.abs(steps).max()))
-            wrap = (
-                f" It jumps by {jump:.0f} deg from one sample to the next. Does the encoder pass 0 "
-                "or 360 deg there? Then export it so that it goes on."
-                if jump > 180
-                else ""
-            )
             raise bad_sample(
                 number,
                 at,
                 f"{name} in segment {number}, sample {at} is {angle[at]:g} rad = "
-                f"{np.degrees(angle[at]):.0f} deg, which no knee reaches.{wrap} Is it in degrees? "
+                f"{np.degrees(angle[at]):.0f} deg, which no knee reaches."
+                f"{of_wrap(angle)} Is it in degrees? "
                 f"{called(name.removesuffix('_rad') + '_deg')} Is this a rig? Then say so with "
                 '[subject] kind = "rig".',
             )
+
+
+def of_wrap(angle: Samples) -> str:
+    """That an angle jumps by more than half a turn, and what to do; nothing where it does not."""
+    jump = float(np.degrees(np.abs(np.diff(angle[~np.isnan(angle)])).max()))
+    if jump <= 180:
+        return ""
+    return (
+        f" It jumps by {jump:.0f} deg from one sample to the next. Does the encoder pass 0 or "
+        "360 deg there? Then export it so that it goes on."
+    )
 
 
 def check_metadata(recording: Recording) -> None:

@@ -14,6 +14,7 @@ from exoid.physics.leg import LegModel
 from exoid.physics.moment import Moment, SegmentConstants
 from exoid.physics.motion.simulate import FIRST, cycle_of, simulate
 from exoid.physics.motion.step import march, rk4
+from exoid.physics.motion.turning import parts_to_turn
 from exoid.physics.motion.with_terms import delayed, errors, sticky
 from exoid.physics.state import LegState
 from exoid.physics.term import SensorTerm
@@ -21,7 +22,6 @@ from exoid.physics.torque import CycleTorque, NoTorque
 from exoid.recordings.recording import Kind
 from exoid.twin.sensors import ShownMotion
 
-TURNING = 8  # parts of a time step in which dry friction may turn over
 REST = 1.5  # s held still before each release
 REST_MARKED = 1.0  # s of that rest which belong to the segment
 CATCH = 0.03  # s, time constant with which a hand stops the leg
@@ -133,7 +133,7 @@ def release(
         torque = CycleTorque(amplitude, period, CYCLES[reading] / period, jnp.zeros(()))
         driven = replace(model, leg=model.leg.with_added_mass(mass, distance), torque=torque)
         begin = LegState(start, jnp.zeros_like(start))
-        parts = TURNING if sticky(model.terms) else 1
+        parts = parts_to_turn(time_step) if sticky(model.terms) else 1
         moved = simulate(driven, begin, time, number, parts=parts)
         return ShownMotion(moved.shown_angle, moved.shown_velocity, moved.angular_acceleration)
 

@@ -13,7 +13,7 @@ from exoid.fitting.model.systematics import SOMEWHERE, beside_unplaced
 from exoid.physics.cycle_shape import cycle_shape
 from exoid.physics.motion.step import Drive
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import runs, torque_frequencies
+from exoid.recordings.signal.condition import stands, torque_frequencies
 from exoid.recordings.signal.local_line import interpolated, local_line
 
 LONGEST_STEP = 0.02  # s; a gap or slow sampling is bridged by samples that weigh nothing
@@ -117,10 +117,9 @@ def standing(samples: Samples) -> NDArray[np.bool_]:
     rounds off at rest is one error, in however many samples.
     """
     found = np.zeros(samples.size, dtype=bool)
-    for first, last in runs(samples[1:] == samples[:-1]):
-        if last - first + 2 >= STANDS:
-            found[first : last + 2] = True
-            found[(first + last + 1) // 2] = False
+    for first, last in stands(samples, STANDS):
+        found[first : last + 1] = True
+        found[(first + last) // 2] = False
     return found
 
 

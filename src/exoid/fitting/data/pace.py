@@ -3,6 +3,7 @@
 import numpy as np
 
 from exoid.fitting.data.movement import Movement
+from exoid.physics.motion.turning import parts_to_turn
 from exoid.recordings.remembered import remembered
 from exoid.recordings.signal import turns
 from exoid.recordings.signal.turns import QUICK
@@ -10,7 +11,6 @@ from exoid.recordings.signal.turns import QUICK
 LEG = 5.0  # rad/s, a leg's pace
 RADIANS = 0.2  # of an oscillation that a Runge-Kutta step may span: 0.2^4 / 120 is 1.3e-5 a radian
 MOST_PARTS = 16  # of a step
-TURNING = 1.25e-3  # s, by which dry friction may turn over too late
 
 
 @remembered  # every step of a fit asks for it
@@ -35,11 +35,6 @@ def parts_of_a_leg_that_sticks(movements: list[Movement]) -> int:
     """The same where dry friction turns over with the leg."""
     steps = [float(np.median(np.diff(each.segment.time))) for each in movements]
     return max(parts_of(movements), parts_to_turn(max(steps)))
-
-
-def parts_to_turn(step: float) -> int:
-    """Of a step [s], at whose ends dry friction turns over."""
-    return min(int(np.ceil(step / TURNING - 1e-6)), MOST_PARTS)
 
 
 def unhurried(movement: Movement, width: float) -> float:

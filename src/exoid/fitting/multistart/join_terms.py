@@ -8,7 +8,7 @@ import numpy as np
 
 from exoid.fitting.model.coordinates import Coordinates
 from exoid.fitting.multistart.simpler_problems import as_declared, with_terms_kept
-from exoid.fitting.multistart.tethers import COARSE, FINE, tethers, without_thrust
+from exoid.fitting.multistart.tethers import COARSE, FINE, led
 from exoid.fitting.solve.ask import advance, finite, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
@@ -35,10 +35,11 @@ def join_terms(
         return advance(problem, gathered, fine), member, failures
     bout = task(problem, 0.0, problem.steps, COARSE, rounds=1)
     towards = replace(bout, tolerance=np.asarray(NEARBY))
-    led = advance(with_terms_kept(as_declared(problem)), gathered, towards).coordinates
-    tried = advance(problem, joined(gathered, led), bout)
+    towards_terms = advance(with_terms_kept(as_declared(problem)), gathered, towards).coordinates
+    tried = advance(problem, joined(gathered, towards_terms), bout)
     if 2 * finite(tried.loss).min() > MISSED**2 * problem.samples.sum():
-        tried = joined(tried, advance(problem, led_with_terms(problem, gathered), bout))
+        tied = led(as_declared(problem), gathered, rounds=1)
+        tried = joined(tried, advance(problem, tied, bout))
     kept = np.flatnonzero(finite(tried.loss) <= BEATEN * finite(tried.loss).min())
     free = advance(problem, take(tried.coordinates, kept), fine)
     loss = np.full((tried.loss.size // gathered.log_mass.size, gathered.log_mass.size), np.inf)
@@ -51,14 +52,6 @@ def join_terms(
     found = np.append(better, -1)[member]
     behind = {BEHIND: int(((member >= 0) & (found < 0)).sum())}
     return take(free, rows), found, dict(Counter(failures) + Counter(behind))
-
-
-def led_with_terms(problem: Problem, starts: Coordinates) -> Coordinates:
-    """Where leg and terms come to, tied to the measured motion and then less."""
-    for tether in tethers(problem):
-        asked = task(problem, tether, problem.steps, COARSE, rounds=1)
-        starts = without_thrust(advance(as_declared(problem), starts, asked).coordinates)
-    return starts
 
 
 def joined(*each):

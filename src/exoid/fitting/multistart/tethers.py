@@ -6,7 +6,7 @@ import numpy as np
 
 from exoid.fitting.data.pace import quickest
 from exoid.fitting.model.coordinates import Coordinates
-from exoid.fitting.solve.ask import advance, task
+from exoid.fitting.solve.ask import ROUNDS, advance, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
@@ -38,10 +38,18 @@ def within_reach(starts: Coordinates, tether: float, step: float) -> Coordinates
 
 def approach(problem: Problem, starts: Coordinates, scale: np.ndarray) -> Solved:
     """Where the free fits from these starts end, after both stages over the whole motion."""
+    tied = led(problem, starts, scale)
+    return advance(problem, tied, task(problem, 0.0, problem.steps, FINE), scale)
+
+
+def led(
+    problem: Problem, starts: Coordinates, scale: np.ndarray | float = 1.0, rounds: int = ROUNDS
+) -> Coordinates:
+    """Where these starts come to, tied to the measured motion and then less, over all of it."""
     for tether in tethers(problem):
-        asked = task(problem, tether, problem.steps, COARSE)
+        asked = task(problem, tether, problem.steps, COARSE, rounds=rounds)
         starts = without_thrust(advance(problem, starts, asked, scale).coordinates)
-    return advance(problem, starts, task(problem, 0.0, problem.steps, FINE), scale)
+    return starts
 
 
 def without_thrust(at: Coordinates) -> Coordinates:

@@ -61,11 +61,7 @@ def solve_many(each: tuple, steps: Int[Array, ""], chain: Chain) -> Solved:
 
     def one(start, request, observation, known, prior, limits, task) -> Solved:
         inside = jnp.arange(observation.time.shape[-1]) <= task.stage.steps
-        observation = replace(
-            observation,
-            angle_weight=observation.angle_weight * inside,
-            velocity_weight=observation.velocity_weight * inside,
-        )
+        observation = observation.weighed(inside)
         task = replace(task, stage=replace(task.stage, steps=steps))
         return solved_from(start, request, observation, known, prior, limits, task, chain)
 

@@ -4,13 +4,13 @@ from collections.abc import Iterable, Mapping
 
 import numpy as np
 
-from exoid.fitting.data.pace import parts_to_turn
 from exoid.interchange.formats.python_frame import FRAME
 from exoid.interchange.formula.expression import Expression, known, make, number, symbol
 from exoid.interchange.formula.spell import FORMULA, Language, lines
 from exoid.interchange.model.described import in_docstring
 from exoid.interchange.model.formulas import acceleration, eq9, friction, torque_over_time
 from exoid.interchange.model.joint import STILL, Exported, Joint, Kept, Number, Part
+from exoid.physics.motion.turning import parts_to_turn
 from exoid.physics.term import holds, strikes
 from exoid.physics.torque import MeasuredTorque
 

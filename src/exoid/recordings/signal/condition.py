@@ -79,6 +79,12 @@ def runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
     return [(a, b - 1) for a, b in zip(edges[::2], edges[1::2], strict=True)]
 
 
+def stands(samples: Samples, fewest: int) -> list[tuple[int, int]]:
+    """First and last sample of every stretch of one value that has at least so many."""
+    each = [(first, last + 1) for first, last in runs(np.diff(samples) == 0.0)]
+    return [(first, last) for first, last in each if last - first + 1 >= fewest]
+
+
 def reversals(angle: Samples, least: float) -> list[int]:
     """Where a sequence turns around by at least `least`: the extremes between such turns."""
     found: list[int] = []

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from exoid.files.text_file import Notes
 from exoid.recordings.recording import Recording, Segment
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import runs
+from exoid.recordings.signal.condition import runs, stands
 
 FEWEST = 3  # times in a row; what is shorter is a spike
 LEAST = float(np.radians(5.0))  # by which an angle jumps, or its gyro turns meanwhile
@@ -96,8 +96,7 @@ def lost(time: Samples, angle: Samples, rate: Samples | None) -> NDArray[np.bool
 
 def repeated(samples: Samples) -> list[tuple[int, int]]:
     """Where a value is the same at least FEWEST times: from the first to behind the last."""
-    each = [(first, last + 2) for first, last in runs(np.diff(samples) == 0.0)]
-    return [(first, behind) for first, behind in each if behind - first >= FEWEST]
+    return [(first, last + 1) for first, last in stands(samples, FEWEST)]
 
 
 def jumps(steps: Samples) -> bool:
