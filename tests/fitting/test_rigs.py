@@ -8,7 +8,7 @@ import pytest
 
 from exoid.fitting.estimate import fit
 from exoid.physics.leg import LegModel
-from exoid.physics.torque import MeasuredTorque
+from exoid.physics.torque import MeasuredTorque, NoTorque
 from exoid.recordings.recording import Protocol, Recording, Subject
 from fit_cases import NOISE, exact, leg, state
 
@@ -66,3 +66,26 @@ def test_a_robots_joint_whose_first_second_tells_nothing_is_followed(shared):
     if not path.is_file():
         pytest.skip(f"{path} is absent")
     assert fit(path, multistart=2).follows
+
+
+def test_without_a_mass_no_distance_is_told_however_near_the_axis_it_is():
+    """A bar that is balanced but for a known mass: its m l is none, and l is none over any m."""
+    arm, masses, inertia = 0.1, (0.5, 1.2), 0.03  # m, kg, kg m^2
+
+    def drop(mass: float):
+        loaded = LegModel(leg(mass, inertia + mass * arm**2, arm, 0.02, 0.0), NoTorque())
+        return exact(loaded, state(-0.3, 0.0), TIME[:300])
+
+    subject = Subject(
+        kind="rig",
+        spring="none",
+        added_mass=masses,
+        added_mass_distance=(arm, arm),
+        added_mass_gyration=0.0,
+    )
+    segments = tuple(map(drop, masses))
+    found = fit(Recording(segments, subject, Protocol(kind="passive"), NOISE), multistart=4)
+    assert found.parameters["inertia"].value == pytest.approx(inertia, rel=ALIKE)
+    for name in ("mass", "com_distance"):
+        assert found.parameters[name].value is None
+        assert "only the product m l" in (found.parameters[name].reason or "")

@@ -21,6 +21,7 @@ from exoid.fitting.result.estimates import (
     estimate_ratios,
     estimate_terms,
     estimate_torque,
+    goes_with_mass,
     goes_with_scale,
     label_of,
     mean_of,
@@ -170,6 +171,8 @@ def estimate_leg(
     parameters = {
         name: parameter_estimate(name, belief, mean_of(basis, [name], at_bound)) for name in NAMES
     }
+    distance, mass = parameters["com_distance"], parameters["mass"]
+    parameters["com_distance"] = goes_with_mass(distance, mass)
     if not basis.problem.gain_known:
         parameters["inertia"] = without_gain(parameters["inertia"])
     for name in ("damping", "stiffness"):

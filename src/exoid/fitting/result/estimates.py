@@ -135,12 +135,28 @@ def goes_with_scale(own: Estimate, ratio: Estimate, inertia: Estimate) -> Estima
 
     Near zero it would seem told: there J moves it little, but only as it was guessed.
     """
-    told = own.shares not in (None, HELD) and ratio.shares not in (None, HELD)
-    if inertia.shares is not None or not told or own.by_hand in ("fix", "prior"):
+    if inertia.shares is not None or ratio.shares in (None, HELD):
         return own
-    return replace(
-        own, value=None, standard_error=None, shares=None, reason=SCALE_FREE, limited_by={}
-    )
+    return goes_untold(own, SCALE_FREE)
+
+
+def goes_with_mass(own: Estimate, mass: Estimate) -> Estimate:
+    """The COM distance, which motion shows as m l alone: near zero, too, nothing tells it where
+    nothing tells m.
+    """
+    return own if mass.shares is not None else goes_untold(own, MASS_AND_DISTANCE)
+
+
+def goes_untold(own: Estimate, reason: str) -> Estimate:
+    """Without its value, but where that is known from elsewhere than the motion."""
+    if own.shares in (None, HELD) or own.by_hand in ("fix", "prior"):
+        return own
+    return without_value(own, reason)
+
+
+def without_value(own: Estimate, reason: str) -> Estimate:
+    """The quantity that nothing tells, and why."""
+    return replace(own, value=None, standard_error=None, shares=None, reason=reason, limited_by={})
 
 
 def with_reasons(parameters: dict[str, Estimate], rig: bool) -> dict[str, Estimate]:
@@ -223,9 +239,7 @@ def label_of(each: Estimate) -> tuple[str, str, str]:
 
 def without_gain(inertia: Estimate) -> Estimate:
     """The inertia where the torque's unit is unknown: only what is over J is told."""
-    return replace(
-        inertia, value=None, standard_error=None, shares=None, reason=NO_GAIN, limited_by={}
-    )
+    return without_value(inertia, NO_GAIN)
 
 
 def untold(found: Found, reason: str) -> str | None:

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from exoid.fitting.misfit.uncertainty import HELD
 from exoid.fitting.result.agreement import lost, unbelieved
+from exoid.fitting.result.estimates import without_value
 from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
 from exoid.fitting.result.limiting_systematics import chief
 
@@ -77,7 +78,3 @@ def without_scale(result: FitResult) -> FitResult:
         segments=[of_segment(each) for each in result.segments],
         torque_amplitude=mean and kept(mean),
     )
-
-
-def without_value(each: Estimate, why: str) -> Estimate:
-    return replace(each, value=None, standard_error=None, shares=None, reason=why, limited_by={})
