@@ -21,6 +21,7 @@ from exoid.report.tables.comparison import quantities
 from exoid.report.tables.diagnosis import suspects
 from exoid.report.tables.leg import before_and_after, parameters, ratios, segments
 from exoid.report.tables.table import Column, Table, print_table
+from exoid.report.words.text import told_apart
 from exoid.report.words.typeset import formula, tidy
 
 ROOMY = 200  # letters
@@ -126,7 +127,14 @@ def test_what_set_a_number_stands_in_80_letters_beside_what_was_found():
     made = object.__new__(FitResult)
     for name, value in (("parameters", each), ("ratios", {}), ("terms", {})):
         object.__setattr__(made, name, value)
-    for room in (80, 60):
+    for room in (ROOMY, 80, 60):
         said = printed(before_and_after(made, made), room)
         assert "set by" in said
         assert said.count("prior") == len(names)
+        assert "F_c / J" in said, room  # by which a wide terminal and a pipe are the same
+
+
+def test_options_that_differ_do_not_look_alike():
+    assert told_apart([0.00498, 0.00502, 0.0131]) == ["0.00498", "0.00502", "0.0131"]
+    assert told_apart([0.0050, 0.0061]) == ["0.0050", "0.0061"]
+    assert told_apart([20.0, 20.0, 31.0]) == ["20", "20", "31"]

@@ -27,7 +27,7 @@ from exoid.cli.outputs.page import planned, sources_of, write_report
 from exoid.cli.outputs.results import introduce, keep, show, traced
 from exoid.cli.outputs.written import Outputs
 from exoid.cli.terminal.say import say
-from exoid.cli.terminal.waiting import in_phases
+from exoid.cli.terminal.waiting import in_long_phases
 
 
 def diagnose(
@@ -86,7 +86,7 @@ def diagnose(
     from exoid.report.document.diagnosis_json import diagnosis_document
     from exoid.report.tables.diagnosis import print_diagnosis
 
-    found = in_phases(lambda told: diagnosed(named, own, options, told))
+    found = in_long_phases(lambda told: diagnosed(named, own, options, told))
     introduce(named)
     show(lambda console: print_diagnosis(found, console))
     limits = None if bounds == "body" else bounds
@@ -105,7 +105,8 @@ def diagnose(
     asked = {**settings, **body, "signal": signal, "dbc": dbc and str(dbc)}
     asked |= {**as_told(flip, zero), "column": column}
     origin = origin_of(inputs(paths, dbc, Path(terms) if terms else None), asked)
-    subject, planning = named[0][1].subject, "planning what to record next"
+    subject = named[0][1].subject
+    planning = f"planning what to record next, for {save or report}"
     more = outputs.attempt(lambda: further(found, subject), planning, {"diagnosis": found})
     outputs.put(
         save, lambda path: keep(found.fit, files, asked, path, origin=origin, **more), "saving"

@@ -1,13 +1,16 @@
 """Patience: what takes long shows that it lives, and can be interrupted."""
 
 import sys
+import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, wait
-from typing import Any, TypeVar
+from typing import TypeVar
 
+from exoid.cli.terminal.progress import Log, lasting
 from exoid.files.visible import visible
 
 SLOW = 2.0  # s, after which a person wants to see that something happens
+TICK = 1.0  # s between two looks at how long it takes already
 
 Result = TypeVar("Result")
 
@@ -18,27 +21,33 @@ def patiently(task: Callable[[], Result], what: str) -> Result:
 
 
 def in_phases(task: Callable[[Callable[[str], None]], Result], what: str = "starting") -> Result:
-    """The result of `task`, which names its phases; a spinner shows them, as in `patiently`.
+    """The result of `task`, which names its phases; a spinner shows them and how long it takes
+    already, as in `patiently`.
 
     It runs in a thread, because XLA does not hear Ctrl-C while it compiles.
     """
-    phase = [what]
-    status: list[Any] = []
+    phase, began = [what], time.monotonic()
 
     def told(name: str) -> None:
         phase[:] = [name]
-        if status:
-            from rich.text import Text
-
-            status[0].update(Text(visible(name)))
 
     running = ThreadPoolExecutor(1).submit(lambda: task(told))
     wait([running], SLOW)
     if not running.done() and sys.stderr.isatty():
         from rich.console import Console
+        from rich.text import Text
 
         with Console(stderr=True).status("") as shown:
-            status.append(shown)
-            told(phase[0])
-            wait([running])
+            while not running.done():
+                spent = lasting(time.monotonic() - began)
+                shown.update(Text(visible(f"{phase[0]} ({spent})")))
+                wait([running], TICK)
     return running.result()
+
+
+def in_long_phases(task: Callable[[Callable[[str], None]], Result]) -> Result:
+    """The same of what takes a minute or more: without a terminal, phases are lines of a log."""
+    if sys.stderr.isatty():
+        return in_phases(task)
+    with Log() as log:
+        return in_phases(lambda told: task(lambda phase: log.hear(phase, 0, 1)))

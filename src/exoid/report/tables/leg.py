@@ -88,7 +88,7 @@ def before_and_after(before: FitResult, after: FitResult) -> Table:
     named, symbols = [quantity_words(name) for name in new], [one.symbol for one in each]
     columns = {
         "quantity": Column(named, spare=2, brief=symbols),
-        "symbol": Column(symbols, symbols=True, only="page"),
+        "symbol": Column(symbols, symbols=True, head="", spare=3),
         "with it": quantities_of(each),
         "Eq. 9 alone": Column(alone, on_page=behind(alone, each), spare=1),
         "set by": [one.set_by or "" for one in each],

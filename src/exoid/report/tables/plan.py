@@ -13,7 +13,7 @@ from exoid.recordings.recording import Subject
 from exoid.report.document.plain_json import plain, shown
 from exoid.report.tables.table import Table, print_table, with_unit
 from exoid.report.words.person import identity
-from exoid.report.words.text import heading, note, say, shown_unit, with_error
+from exoid.report.words.text import heading, note, say, shown_unit, told_apart, with_error
 
 SHOWN = 8  # single segments in the table
 
@@ -56,9 +56,9 @@ def print_options(plan: Plan, console: Console) -> None:
         return
     columns = {
         "release": [option.candidate.words for option in known],
-        f"error [{plan.unit}]" if shown_unit(plan.unit) else "error": [
-            f"{option.error:.2g}" for option in known
-        ],
+        f"error [{plan.unit}]" if shown_unit(plan.unit) else "error": told_apart(
+            [option.error for option in known]
+        ),
     }
     print_table(Table("", columns), console)
 

@@ -10,7 +10,7 @@ from exoid.report.document.plain_json import plain, shown
 from exoid.report.tables.plan import SHOWN, print_steps, segment_document
 from exoid.report.tables.table import Table, print_table
 from exoid.report.words.person import identity
-from exoid.report.words.text import heading, note, say
+from exoid.report.words.text import heading, note, say, told_apart
 
 NAMES = {
     "rivals": "between",
@@ -46,7 +46,7 @@ def print_tellings(found: Contrast, console: Console) -> None:
     heading(console, "One segment more, and what it would tell")
     columns = {
         "release": [each.candidate.words for each in shown],
-        "log odds": [f"{each.log_odds:.2g}" for each in shown],
+        "log odds": told_apart([each.log_odds for each in shown]),
         "20 to 1": [f"{each.probability:.0%}" for each in shown],
     }
     print_table(Table("", columns), console)
