@@ -79,6 +79,7 @@ def fit_each(given: RecordingsLike, **options) -> FitResult:
     classes = classes_of(options.get("terms", ()))
     belief = believe(recordings[0][1].subject, assumed, classes)
     parameters = with_reasons(settled_parameters(belief, ratios, results[0].leg), belief.rig)
+    moment = results[0].gravity_moment
     said = dict.fromkeys(of_every_kind([note for each in results for note in each.notes]))
     lost = [each.notes[0] for each in results if not each.follows][:1]
     readings = {each.torque_frequency for each in results} - {None}
@@ -88,6 +89,8 @@ def fit_each(given: RecordingsLike, **options) -> FitResult:
         results[0],
         parameters=parameters,
         ratios=ratios,
+        gravity_moment=moment
+        and scaled(moment, ratios["gravity_over_inertia"], parameters["inertia"], 1),
         terms={
             name_of(each): mean_term(each, results, owner, parameters["inertia"])
             for each in classes

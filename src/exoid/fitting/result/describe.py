@@ -18,6 +18,7 @@ from exoid.fitting.multistart.search_result import SAME_LOSS, SearchResult
 from exoid.fitting.result.agreement import astray, believed, of_the_rest
 from exoid.fitting.result.equally_good import equally_good
 from exoid.fitting.result.estimates import (
+    estimate_moment,
     estimate_ratios,
     estimate_terms,
     estimate_torque,
@@ -111,7 +112,8 @@ def describe(
     errors = [told.ratios[each].standard_error or 0.0 for each in LEANING]
     slack = left_open(problem, ended, errors)
     said = notes(told, basis, at_bound, slack)
-    return replace(told, ratios=with_slack(told.ratios, slack), notes=said)
+    moment = estimate_moment(basis, told.ratios["gravity_over_inertia"], told.parameters["inertia"])
+    return replace(told, ratios=with_slack(told.ratios, slack), gravity_moment=moment, notes=said)
 
 
 def with_slack(ratios: dict[str, Estimate], found: Leaning | None) -> dict[str, Estimate]:

@@ -32,6 +32,7 @@ RATIOS = {  # name: symbol, title, unit
     "damping_over_inertia": ("d / J", "damping over inertia", "1/s"),
     "torque_over_inertia": ("tau / J", "torque over inertia", "1/s^2"),
 }
+MOMENT = "m l g", "gravity moment", "N m"
 SCALE_FREE = (
     "motion alone fixes only the ratios to J: record a drop with a known mass, measure the torque, "
     "or give body mass and height"
@@ -216,6 +217,21 @@ def estimate_ratios(basis: Basis, at_bound: set[str]) -> dict[str, Estimate]:
             reason=FIXED if fixed else ON_BOUND if held else untold(found, UNTOLD),
         )
     return estimates
+
+
+def estimate_moment(basis: Basis, ratio: Estimate, inertia: Estimate) -> Estimate:
+    """m l g, with the covariance of its factors m l g / J and J; none where one of them is not."""
+    if "gravity" in basis.problem.absent:
+        return none_of(MOMENT)
+    each = (ratio, inertia)
+    lost = next((one.reason for one in each if one.value is None), None)
+    over, own = (mean_of(basis, [name], set()) for name in ("gravity_over_inertia", "inertia"))
+    gradient = own.value * over.gradient + over.value * own.gradient
+    held = any(one.shares == HELD and one.by_hand != "fix" for one in each)
+    found = Found(own.value * over.value, gradient, basis.information, held)
+    if any(one.value is None for one in each):
+        return Estimate(*MOMENT, value=None, standard_error=None, reason=lost)
+    return found.estimate(MOMENT, reason=why(found.shares, None))
 
 
 def at_its_end(parameter: str, at_bound: set[str], at_zero: bool) -> bool:

@@ -151,6 +151,7 @@ class FitResult:
     notes: list[str] = field(default_factory=list)
     basis: "Basis | None" = field(default=None, metadata={"saved": False})  # None: each alone
     set_aside: list[str] = field(default_factory=list)  # of the notes: what was not fitted
+    gravity_moment: Estimate | None = None  # m l g of the parameters; older files have none
     astray: str | None = None  # why the simulation does not follow the recording, where it does not
 
     @property
@@ -169,6 +170,12 @@ class FitResult:
             for term, parameters in self.terms.items()
             for name, each in parameters.items()
         }
+
+    @property
+    def of_leg(self) -> dict[str, Estimate]:
+        """The parameters, and the moment of gravity about the knee."""
+        moment = self.gravity_moment
+        return self.parameters | ({} if moment is None else {"gravity_moment": moment})
 
     @property
     def model(self) -> LegModel | None:

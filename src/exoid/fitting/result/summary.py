@@ -32,8 +32,8 @@ def heading(result: Any) -> str:
 
 
 def quantities(result: Any) -> dict[str, Any]:
-    """Parameters, ratios, then the terms'."""
-    return {**result.parameters, **result.ratios, **result.of_terms}
+    """Parameters, the gravity moment, ratios, then the terms'."""
+    return {**result.of_leg, **result.ratios, **result.of_terms}
 
 
 def estimate(each: Any) -> str:

@@ -99,6 +99,7 @@ def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
         name: widened(one, inertia * spread.get(OF_RATIO.get(name, ""), 0.0))
         for name, one in result.parameters.items()
     }
+    moment = result.gravity_moment
     wide = {
         name: one.symbol
         for name, one in result.ratios.items()
@@ -111,7 +112,13 @@ def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
     note += f"{', '.join(rivals)}."
     lost = 0 if result.follows else 1  # of the notes: that it does not follow comes first
     notes = [*result.notes[:lost], *([note] if wide else []), *result.notes[lost:]]
-    return replace(result, ratios=ratios, parameters=parameters, notes=notes)
+    return replace(
+        result,
+        ratios=ratios,
+        parameters=parameters,
+        gravity_moment=moment and widened(moment, inertia * spread["gravity_over_inertia"]),
+        notes=notes,
+    )
 
 
 def of_slack_angle(result: FitResult) -> dict[str, float]:
@@ -156,13 +163,8 @@ def by_the_fits(found: Diagnosis, after: FitResult | None) -> tuple[list[Booked]
 
 
 def value_of(name: str, fit: FitResult) -> float | None:
-    """A ratio or a parameter of a fit; the gravity moment is m l g."""
-    if name != "gravity_moment":
-        return (fit.ratios | fit.parameters)[name].value
-    gravity, inertia = fit.ratios["gravity_over_inertia"], fit.parameters["inertia"]
-    if gravity.value is None or inertia.value is None:
-        return None
-    return gravity.value * inertia.value
+    """A ratio, a parameter or the gravity moment of a fit."""
+    return (fit.ratios | fit.of_leg)[name].value
 
 
 def advice(rivals: list[Optimum], verdict: Verdict, formula: Formula | None) -> list[str]:

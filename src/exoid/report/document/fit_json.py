@@ -60,7 +60,7 @@ def model(result: FitResult, profiles: Mapping[str, Profile]) -> dict[str, Any]:
     """The numbers of a fitted model, and how well it fits."""
     torque = {"torque_amplitude": result.torque_amplitude or no_torque()}
     return {
-        "parameters": entries({**result.parameters, **torque}, profiles),
+        "parameters": entries({**result.of_leg, **torque}, profiles),
         "ratios": entries(result.ratios, profiles),
         "terms": {
             term: entries(parameters, profiles, f"{term}.")

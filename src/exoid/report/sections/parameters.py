@@ -30,6 +30,6 @@ def parameters(case: Case) -> Iterator[Block]:
 
 
 def parameters_of(fit: FitResult) -> dict[str, Estimate]:
-    """m, J, l, d, c, and the torque of voluntary segments."""
+    """m, J, l, d, c, m l g, and the torque of voluntary segments."""
     torque = fit.torque_amplitude
-    return {**fit.parameters, **({} if torque is None else {"torque_amplitude": torque})}
+    return {**fit.of_leg, **({} if torque is None else {"torque_amplitude": torque})}

@@ -70,7 +70,7 @@ def print_astray(result: FitResult, console: Console) -> None:
 
 def print_parameters(result: FitResult, console: Console) -> None:
     """With the legend of their bars."""
-    print_table(parameters(result.parameters), console)
+    print_table(parameters(result.of_leg), console)
     say(
         console,
         f"± one standard error, made by the {DATA} data, the {PRIOR} prior, a {BOUND} bound.",
