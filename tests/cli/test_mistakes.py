@@ -141,3 +141,17 @@ def test_two_people_or_two_sides_are_not_fitted_together(tmp_path, key):
         named(path, **{key: value})
     with pytest.raises(ValueError, match=rf"a\.csv is of {key} left, b\.csv of {key} right"):
         fit(paths)
+
+
+@pytest.mark.parametrize(
+    ("given", "takes"),
+    [
+        (
+            ("compare", "a.nc", "b.nc", "c.nc"),
+            "exoid compare takes FIRST and SECOND only: give c.nc",
+        ),
+        (("live", "a.csv", "b.csv"), "exoid live takes RECORDING only: give b.csv"),
+    ],
+)
+def test_a_file_more_than_a_command_takes_is_refused_with_what_it_takes(command, given, takes):
+    assert f"{takes} a command of its own. Try 'exoid" in refusal(command(*given))

@@ -83,13 +83,12 @@ UNTOLD = Estimate("J", "inertia", "kg m^2", None, None)
     ],
 )
 def test_where_torques_are_missing_says_whose_inertia_they_go_with(known, said):
-    """They were found before anything was added: what the fit with it tells is another inertia."""
+    """It is that of the fit with what was found, as of all other torques."""
     one = found()
-    before = replace(one.before, parameters={**one.before.parameters, "inertia": known})
-    after = replace(one.before, parameters={**one.before.parameters, "inertia": INERTIA})
+    after = replace(one.before, parameters={**one.before.parameters, "inertia": known})
     place = replace(one.location, inertia=0.38)
     region = replace(place.regions[0], end=0.21)
-    told = replace(one, before=before, after=after, location=replace(place, regions=[region]))
+    told = replace(one, after=after, location=replace(place, regions=[region]))
     assert said in sentences(told)["Where"]
 
 

@@ -8,13 +8,13 @@ from io import StringIO
 import numpy as np
 import pytest
 from rich.console import Console
-from test_fit_json import fitted
+from test_fit_json import BY_DATA, fitted
 
 from exoid.fitting.misfit.missed import Disturbance, Missed
-from exoid.fitting.result.fit_result import Estimate, MountingFit
+from exoid.fitting.result.fit_result import RIVALS, Estimate, MountingFit
 from exoid.report.document.fit_json import fit_document
-from exoid.report.saved.saved_result import load_result, save_result
-from exoid.report.tables.compare import compare
+from exoid.report.saved.saved_result import SavedResult, load_result, save_result
+from exoid.report.tables.compare import ComparedQuantity, compare
 from exoid.report.tables.comparison import comparison_document, print_comparison
 from exoid.report.tables.fit import print_fit
 from exoid.trust.identifiability import Direction, Identifiability, Reversal
@@ -242,8 +242,10 @@ def test_a_missing_file_and_a_directory_are_named(tmp_path):
 @pytest.fixture(scope="module")
 def sides(tmp_path_factory):
     """Two fits: the second with another inertia, no torque, of another file, by another seed."""
-    folder, first = tmp_path_factory.mktemp("sides"), plainly(fitted())
-    inertia = replace(first.parameters["inertia"], value=0.55104)
+    folder, plain = tmp_path_factory.mktemp("sides"), plainly(fitted())
+    weighed = replace(plain.parameters["inertia"], shares=BY_DATA)
+    first = replace(plain, parameters={**plain.parameters, "inertia": weighed})
+    inertia = replace(weighed, value=0.55104)
     other = replace(
         first, parameters={**first.parameters, "inertia": inertia}, torque_amplitude=None
     )
@@ -264,6 +266,24 @@ def test_a_comparison_counts_differences_in_standard_errors(sides):
     assert found["torque_over_inertia"].symbol == "tau / J"
 
 
+def test_what_goes_with_an_inertia_that_no_recording_tells_is_not_compared():
+    """Their prior is one and the same: they are no independent values."""
+    side = SavedResult(fitted(), told=None, version="1", recordings=[], settings={})
+    found = {each.name: each for each in compare(side, side).quantities}
+    goes = [name for name, each in found.items() if each.assumed]
+    assert goes == ["mass", "inertia", "com_distance", "damping", "stiffness", "torque_amplitude"]
+    assert all(found[name].error is None for name in goes)
+    ratio = found["damping_over_inertia"]
+    assert ratio.error == pytest.approx(2**0.5 * ratio.first.standard_error)
+
+
+def test_where_a_spring_is_slack_counts_once_in_a_difference():
+    first = Estimate("c / J", "stiffness over inertia", "1/s^2", 5.0, 0.3, if_slack=0.4)
+    second = replace(first, value=6.0, limited_by={RIVALS: 0.5})  # of a diagnosis: it has it
+    both = ComparedQuantity("stiffness_over_inertia", "c / J", "1/s^2", first, second)
+    assert both.error == pytest.approx((0.5**2 + 0.3**2) ** 0.5)
+
+
 def test_a_comparison_names_the_settings_that_differ_and_no_other(sides):
     found = compare(*sides)
     assert found.settings == {"seed": ("7", "8")}
@@ -279,10 +299,10 @@ def test_a_comparison_fits_eighty_columns_and_json(sides):
     assert max(map(len, text.split("\n"))) <= 80
     assert "…" not in text
     assert "0.451 ± 0.041" in text
-    assert "+1.7" in text
     assert "not determined" in text
     assert "7 -> 8" in text
-    assert "Set by the prior in both, not by a recording: J, l." in text
+    assert "+22 ± 13 %" in text  # 0.1 of 0.451, each with an error of 0.0405
+    assert "No recording tells J" not in text
     document = comparison_document(compare(*sides), sides)
     assert json.loads(json.dumps(document, allow_nan=False)) == document
     assert document["quantities"]["inertia"]["difference"] == pytest.approx(0.1)

@@ -104,7 +104,9 @@ def by_eq9(found: Diagnosis) -> Diagnosis:
     before = with_rivals(found.before, work, work.found.base)
     said = [each.rstrip(".") for each in before.notes if each not in found.before.notes]
     booked, suspected = by_the_fits(found, None)
-    same = replace(found, before=before, booked=booked, suspected=suspected)
+    inertia = before.parameters["inertia"].value
+    place = found.location if inertia is None else found.location.with_inertia(inertia)
+    same = replace(found, before=before, booked=booked, suspected=suspected, location=place)
     if not found.follows and astray(before.segments):
         return lost(same)
     return replace(same, reasons=[*found.reasons, *said])
@@ -154,7 +156,9 @@ def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
     if found.formula is not None:
         own = fitted_formula(after.fitted_terms)
         more["formula"] = replace(found.formula, words=own.words, over_inertia=own.over(inertia))
-    return replace(found, after=after, parameters=parameters, inertia=inertia, **more)
+    place = found.location.with_inertia(inertia)
+    more |= {"location": place, "inertia": inertia}
+    return replace(found, after=after, parameters=parameters, **more)
 
 
 def is_part_of(parameter: str, names: set[str]) -> bool:

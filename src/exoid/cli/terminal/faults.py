@@ -8,6 +8,7 @@ from exoid.files.system_errors import told
 
 # Those that compute. What they say of arrays is not for users.
 LIBRARIES = ("numpy", "scipy", "jax", "jaxlib", "equinox", "optimistix", "lineax", "diffrax")
+ONE_MORE = "Got unexpected extra argument(s) "
 INTERRUPTED = 130  # as shells have it: 128 and the number of the signal
 
 
@@ -54,8 +55,17 @@ def explain_usage(fault: BaseException) -> int:
     context = getattr(fault, "ctx", None)
     if context is None:
         return complain(message, 2)
+    if (extra := message.removeprefix(ONE_MORE)) != message:
+        message = f"{context.command_path} takes {taken(context)} only: give {extra.strip('(). ')} "
+        message += "a command of its own"
     end = "" if message.endswith("?") else "."
     return complain(f"{message.rstrip('.')}{end} Try '{context.command_path} --help'.", 2)
+
+
+def taken(context) -> str:
+    """The arguments that a command takes."""
+    each = [one for one in context.command.params if one.param_type_name == "argument"]
+    return " and ".join(one.name.upper() for one in each) or "options"
 
 
 def complain(message: object, code: int) -> int:

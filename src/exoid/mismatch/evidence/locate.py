@@ -10,7 +10,7 @@ from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.equation import equation
 from exoid.fitting.model.coordinates import Unknowns, of_owner
 from exoid.fitting.solve.program_cache import called
-from exoid.mismatch.evidence.location import Location, Missing, Region, Samples
+from exoid.mismatch.evidence.location import Location, Missing, Region, Samples, described
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.measured_motion import FREE, drive_of
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
@@ -93,7 +93,7 @@ def lacking(
     band = reference.smoother.spread(width) * inertia
     name = prepared.problem.movements[number].name
     motion = (time[free], angle[free], velocity[free])
-    return Missing(name, *motion, torque, band, modelled, width)
+    return Missing(name, *motion, torque, band, modelled, width, inertia)
 
 
 def by_equation(unknowns: Unknowns, observation: Observation, angle, velocity, _: None):
@@ -131,11 +131,11 @@ def regions_of(each: Missing) -> list[Region]:
     for part in np.split(np.arange(sign.size), edges):
         lasting = each.time[part[-1]] - each.time[part[0]] >= SHORTEST
         if lasting and sign[part[0]] * each.torque[part].mean() > 0:
-            found.append(described(each, part, float(torque[part].mean())))
+            found.append(region_of(each, part, float(torque[part].mean())))
     return found
 
 
-def described(each: Missing, part: np.ndarray, torque: float) -> Region:
+def region_of(each: Missing, part: np.ndarray, torque: float) -> Region:
     angle, speed = each.angle[part], each.angular_velocity[part]
     low, high = degrees(angle.min()), degrees(angle.max())
     fastest = float(np.max(np.abs(speed)))
@@ -147,7 +147,6 @@ def described(each: Missing, part: np.ndarray, torque: float) -> Region:
         manner = f"flexing at up to {degrees(fastest):.0f} deg/s"
     else:
         manner = "through a reversal"
-    towards = "extension" if torque > 0 else "flexion"
     place = f"{low:.0f} deg" if f"{low:.0f}" == f"{high:.0f}" else f"{low:.0f} to {high:.0f} deg"
     region = f"{place}, {manner}"
     begin, end = float(each.time[part[0]]), float(each.time[part[-1]])
@@ -156,6 +155,6 @@ def described(each: Missing, part: np.ndarray, torque: float) -> Region:
         begin=begin,
         end=end,
         region=region,
-        description=f"{abs(torque):.2g} N m towards {towards} are missing at {region}",
+        description=described(torque, region),
         torque=torque,
     )

@@ -1,6 +1,6 @@
 """Where simulation and recording part, as it was found."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated
 
 import numpy as np
@@ -21,6 +21,13 @@ class Missing:
     band: Annotated[float, "N m"]  # standard deviation
     modelled: Annotated[Samples | None, "N m"]  # by what was found: without noise
     width: int  # samples, over which torques are averaged
+    inertia: Annotated[float | None, "kg m^2"] = None  # that moves; older files have none
+
+    def times(self, factor: float) -> "Missing":
+        """With every torque so many times as large."""
+        modelled = None if self.modelled is None else self.modelled * factor
+        grown = {"torque": self.torque * factor, "band": self.band * factor}
+        return replace(self, modelled=modelled, **grown)
 
 
 @dataclass(frozen=True)
@@ -34,6 +41,11 @@ class Region:
     description: str
     torque: Annotated[float, "N m"]  # mean
 
+    def times(self, factor: float, unit: str = "N m") -> "Region":
+        """With its torque so many times as large, in that unit."""
+        torque = self.torque * factor
+        return replace(self, torque=torque, description=described(torque, self.region, unit))
+
 
 @dataclass(frozen=True, eq=False)
 class Location:
@@ -44,6 +56,18 @@ class Location:
     by_angle: Annotated[float, "1"]  # share of its variance that the angle alone explains
     by_speed: Annotated[float, "1"]  # that speed and direction alone explain
     inertia: Annotated[float | None, "kg m^2"] = None  # of the leg, with which the torques grow
+
+    def with_inertia(self, inertia: float) -> "Location":
+        """The same of a leg with another inertia: J (phi'' - Eq. 9) grows with it, but for what a
+        known mass adds to it.
+        """
+        if self.inertia is None:
+            return self
+        more = inertia - self.inertia
+        factors = {one.segment: 1 + more / (one.inertia or self.inertia) for one in self.missing}
+        missing = [one.times(factors[one.segment]) for one in self.missing]
+        regions = [one.times(factors[one.segment]) for one in self.regions]
+        return replace(self, missing=missing, regions=regions, inertia=inertia)
 
     @property
     def pattern(self) -> str:
@@ -56,3 +80,9 @@ class Location:
         if self.by_angle > self.by_speed + 0.1:
             return f"it goes with the angle ({angle} of its variance, speed {speed})"
         return f"angle ({angle} of its variance) and speed ({speed}) explain it about alike"
+
+
+def described(torque: float, region: str, unit: str = "N m") -> str:
+    """What is missing in a stretch of time."""
+    towards = "extension" if torque > 0 else "flexion"
+    return f"{abs(torque):.2g} {unit} towards {towards} are missing at {region}"

@@ -5,12 +5,12 @@ from dataclasses import dataclass
 from math import hypot
 from typing import Any
 
-from exoid.fitting.errors.profile import named
-from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.fit_result import RIVALS, Estimate, FitResult
 from exoid.physics.term import name_of
 from exoid.report.saved.saved_result import SavedResult
 
 ABSENT = "not told"
+WITH_INERTIA = ("mass", "inertia", "com_distance", "gravity_moment", "torque_amplitude")
 HASHED = 12  # digits of a hash that are shown
 
 
@@ -23,6 +23,7 @@ class ComparedQuantity:
     unit: str
     first: Estimate | None
     second: Estimate | None
+    assumed: bool = False  # it goes with a J that neither recording tells
 
     @property
     def each(self) -> list[Estimate]:
@@ -40,17 +41,20 @@ class ComparedQuantity:
         return self.values[1] - self.values[0] if len(self.values) == 2 else None
 
     @property
-    def by_prior(self) -> bool:
-        """Did the prior set it in both fits?"""
-        return [one.determined_by for one in self.each] == ["prior", "prior"]
+    def error(self) -> float | None:
+        """Of the difference, of independent fits; of what is assumed alike, the difference is no
+        finding and has none.
+        """
+        errors = [error for one in self.each if (error := error_of(one)) is not None]
+        if self.assumed or self.difference is None or len(errors) < 2 or not hypot(*errors) > 0:
+            return None
+        return hypot(*errors)
 
     @property
     def standard_errors(self) -> float | None:
-        """The difference over the error of a difference of independent fits."""
-        errors = [one.standard_error for one in self.each if one.standard_error is not None]
-        if self.difference is None or len(errors) < 2 or not hypot(*errors) > 0:
-            return None
-        return self.difference / hypot(*errors)
+        """The difference over its error."""
+        known = self.difference is not None and self.error is not None
+        return self.difference / self.error if known else None
 
 
 @dataclass(frozen=True)
@@ -62,15 +66,40 @@ class Comparison:
     same_recordings: bool
 
 
+def error_of(each: Estimate) -> float | None:
+    """With what a spring slack elsewhere leaves open, which errors of a diagnosis hold already."""
+    if each.standard_error is None or RIVALS in (each.limited_by or {}):
+        return each.standard_error
+    return hypot(each.standard_error, each.if_slack or 0.0)
+
+
+def quantities_of(result: FitResult) -> dict[str, Estimate]:
+    """What a fit has a number for."""
+    torque = result.torque_amplitude
+    tau = {} if torque is None else {"torque_amplitude": torque}
+    return {**result.of_leg, **tau, **result.ratios, **result.of_terms}
+
+
+def goes_with_inertia(name: str, every: Mapping[str, Estimate]) -> bool:
+    """Is it as large as J is taken to be, so that only its ratio is compared?"""
+    scaled = any(f"{name}_{goes}_inertia" in every for goes in ("over", "times"))
+    return scaled or name in WITH_INERTIA
+
+
+def assumes_inertia(result: FitResult) -> bool:
+    """Did no recording tell J?"""
+    return result.parameters["inertia"].determined_by not in ("data", "both")
+
+
 def compare(first: SavedResult, second: SavedResult) -> Comparison:
     """Parameters, torque amplitude and ratios of both, and the settings that differ."""
-    one, other = dict(named(first.result)), dict(named(second.result))
+    one, other = (quantities_of(each.result) for each in (first, second))
+    alike = all(assumes_inertia(each.result) for each in (first, second))
     rows = []
     for name in {**one, **other}:
-        known = one.get(name) or other[name]
-        rows.append(
-            ComparedQuantity(name, known.symbol, known.unit, one.get(name), other.get(name))
-        )
+        known, sides = one.get(name) or other[name], (one.get(name), other.get(name))
+        assumed = alike and goes_with_inertia(name, one | other)
+        rows.append(ComparedQuantity(name, known.symbol, known.unit, *sides, assumed))
     same = hashes(first) == hashes(second) != []
     differ = changed(asked(first), asked(second))
     if not same:  # then the sidecars are others by nature

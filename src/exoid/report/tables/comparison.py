@@ -11,7 +11,7 @@ from exoid.report.document.plain_json import plain
 from exoid.report.saved.saved_result import SavedResult
 from exoid.report.tables.compare import HASHED, ComparedQuantity, Comparison
 from exoid.report.tables.same_leg import strangers
-from exoid.report.tables.table import Column, Table, print_table
+from exoid.report.tables.table import Column, Table, print_table, with_unit
 from exoid.report.tables.two_diagnoses import diagnosis_entry, side_by_side
 from exoid.report.words.estimate import written
 from exoid.report.words.person import person
@@ -24,9 +24,11 @@ from exoid.report.words.text import (
     in_words,
     say,
     shown_unit,
+    with_error,
 )
 
 SIDES = ("first", "second")
+CLEARLY = 3.0  # errors of a difference, from which on a value is a measure for it
 
 
 def print_comparison(found: Comparison, sides: list[SavedResult], console: Console) -> None:
@@ -34,16 +36,20 @@ def print_comparison(found: Comparison, sides: list[SavedResult], console: Conso
     print_table(quantities(found.quantities), console)
     say(
         console,
-        "± one standard error; the last column is second less first over the error of that "
-        "difference, for independent fits.",
+        "± one standard error. Second - first is told in % of the first, or in its unit where that "
+        "may be 0, for independent fits, and holds what 'if slack' leaves open.",
     )
     if found.same_recordings:
         why = "what was asked differently" if found.settings else "rounding, or where starts began"
         say(console, "Both rest on the same recordings, so they are not independent: a "
             f"difference comes from {why}.")  # fmt: skip
-    believed = [each.symbol for each in found.quantities if each.by_prior]
-    if believed:
-        say(console, f"Set by the prior in both, not by a recording: {', '.join(believed)}.")
+    assumed = [each.symbol for each in found.quantities if each.assumed]
+    if assumed:
+        say(
+            console,
+            f"No recording tells J, with which these go: {', '.join(assumed)}. Compare the ratios "
+            "to J.",
+        )
     for sentence in strangers(found, sides):
         say(console, sentence)
     if any(side.diagnosis for side in sides):
@@ -67,13 +73,30 @@ def quantities(each: list[ComparedQuantity]) -> Table:
         "first": [value(one.first) for one in each],
         "second": [value(one.second) for one in each],
         "unit": [shown_unit(one.unit) for one in each],
-        "differ by\n[errors]": [errors(one) for one in each],
+        "second - first": [difference(one) for one in each],
+        "in errors": Column([errors(one) for one in each], head="in\nerrors", spare=2),
     }
     return Table("", columns, "Parameters, torque and ratios of both")
 
 
 def value(each: Estimate | None) -> str:
     return "" if each is None else written(each)
+
+
+def difference(each: ComparedQuantity) -> str:
+    """Second less first with its error, in % where the first is clearly not 0."""
+    if each.difference is None or each.error is None:
+        return ""
+    first = each.values[0]
+    if abs(first) > CLEARLY * each.error:
+        percent = 100 / abs(first)
+        return f"{signed(each.difference * percent, each.error * percent)} %"
+    return with_unit(signed(each.difference, each.error), each.unit)
+
+
+def signed(value: float, error: float) -> str:
+    """With a plus, too."""
+    return f"{'+' if value > 0 else ''}{with_error(value, error)}"
 
 
 def errors(each: ComparedQuantity) -> str:
@@ -126,6 +149,7 @@ def comparison_document(found: Comparison, sides: list[SavedResult]) -> dict[str
                     "first": None if each.first is None else entry(each.first),
                     "second": None if each.second is None else entry(each.second),
                     "difference": each.difference,
+                    "difference_standard_error": each.error,
                     "standard_errors": each.standard_errors,
                 }
                 for each in found.quantities

@@ -67,6 +67,7 @@ def concluded(
     verdict, maybe = judged.verdict, judged.unseen or likely(found)
     novel = verdict == "mismatch" and formula is not None
     biased = [BIAS] if bias is not None and verdict != "cannot_tell" else []
+    inertia = float(np.exp(leg_of(found, best).log_inertia))
     selected = [*named_terms(found, best, certain), *biased]
     suspected = maybe if verdict == "cannot_tell" else equal if len(equal) > 1 else []
     return Diagnosis(
@@ -78,9 +79,9 @@ def concluded(
         novel=novel,
         formula=novel_torque(found, formula, best) if formula and novel else None,
         parameters=[*parameters_of(found, best, formula), *([bias] if bias else [])],
-        inertia=float(np.exp(leg_of(found, best).log_inertia)),
+        inertia=inertia,
         booked=booked(found, found.base, best),
-        location=location,
+        location=location.with_inertia(inertia),
         proof=shown,
         baseline=weighed(found, found.base, best),
         best=replace(weighed(found, best, best), terms=[FORMULA] if formula else names(best)),

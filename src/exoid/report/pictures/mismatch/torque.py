@@ -43,7 +43,7 @@ TORQUE, OVER_INERTIA = Called("torque", "N m"), Called("torque / J", "rad/s^2")
 
 def called_in(found: Diagnosis) -> Called:
     """Torques over J, where nothing tells that."""
-    return OVER_INERTIA if guessed(found.before) else TORQUE
+    return OVER_INERTIA if guessed(found.fit) else TORQUE
 
 
 def torque_of(location: Location, number: int, called: Called = TORQUE) -> Panel:

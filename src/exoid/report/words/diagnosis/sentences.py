@@ -46,9 +46,9 @@ def where(found: Diagnosis) -> str:
                for each in place.regions[:3]]  # fmt: skip
     if not regions:
         return "no torque stands out of the noise: the sensors differ, or it is spread thinly."
-    said = for_inertia(place.inertia or found.inertia, found.before)
+    said = for_inertia(place.inertia or found.inertia, found.fit)
     scale = f" ({said})" if "," in said else ""
-    if guessed(found.before):
+    if guessed(found.fit):
         scale = " (torques over J, which nothing tells)"
     return f"{'; '.join(regions)}{scale}. Over all of it, {place.pattern}."
 

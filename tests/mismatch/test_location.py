@@ -1,0 +1,27 @@
+"""Missing torques are J (phi'' - Eq. 9): a leg with another J lacks others in the same motion."""
+
+import numpy as np
+import pytest
+
+from exoid.mismatch.evidence.location import Location, Missing, Region
+
+OWN, ADDED = 0.33, 0.2  # kg m^2, of the leg and of a known mass on it
+
+
+def missing(name, moves):
+    time = np.arange(5.0)
+    return Missing(name, time, time, time, time + 1.0, 0.1, 2 * time, 3, moves)
+
+
+def test_of_a_leg_with_another_inertia_the_accelerations_that_lack_stay():
+    bare, loaded = missing("bare", OWN), missing("loaded", OWN + ADDED)
+    region = Region("loaded", 0.0, 1.0, "-10 to 5 deg, extending", "", 0.44)
+    other = Location([bare, loaded], [region], 0.1, 0.8, OWN).with_inertia(0.40)
+    assert other.inertia == 0.40
+    for before, after, moves in zip((bare, loaded), other.missing, (0.40, 0.60), strict=True):
+        assert after.torque / moves == pytest.approx(before.torque / before.inertia)
+        assert after.band / moves == pytest.approx(before.band / before.inertia)
+        assert after.modelled / moves == pytest.approx(before.modelled / before.inertia)
+    (told,) = other.regions
+    assert told.torque == pytest.approx(0.44 * 0.60 / 0.53)
+    assert told.description == "0.5 N m towards extension are missing at -10 to 5 deg, extending"
