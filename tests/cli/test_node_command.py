@@ -79,7 +79,7 @@ def test_show_says_all_of_one_node(command, on_bus):
         "node 0, serial C0FFEE01, firmware 1.2.3",
         "zero 2048, the encoder's count falls in extension",
         "CAN bus at 500 kbit/s",
-        "supply 3.26 V; errors: transmit 0, receive 0, frames lost 0; settings stored 4 time(s)",
+        "supply 3.26 V; errors: transmit 0, receive 0, frames lost 0; settings stored 4 times",
         "state: well",
     ]
 

@@ -110,7 +110,7 @@ def test_a_damaged_object_is_told_though_every_checksum_is_right(blf, change):
     whole = read_blf(blf)
     blf.write_bytes(repacked(blf.read_bytes(), change))
     log = read_blf(blf)
-    assert "1 object(s) in the blocks are damaged" in str(log.stopped)
+    assert "1 damaged object in the blocks" in str(log.stopped)
     assert len(log.frames) >= len(whole.frames) - 1
     assert np.isin(log.frames.time, whole.frames.time).all()
 
@@ -142,7 +142,7 @@ def test_a_line_that_is_not_written_as_a_frame_is_counted_and_left_out(
     lines[number] = lines[number].replace(good, bad, 1)
     path.write_text("".join(lines))
     log = read_log(path)
-    assert f"1 damaged line(s) left out, first line {number + 1} " in str(log.stopped)
+    assert f"1 damaged line left out, first line {number + 1} " in str(log.stopped)
     assert len(log.frames) == len(whole.frames) - 1
     assert np.isin(log.frames.data.view("u8"), whole.frames.data.view("u8")).all()
 

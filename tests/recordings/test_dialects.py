@@ -275,7 +275,7 @@ def test_a_time_of_exoids_name_hides_no_other_name(write, names):
         ("t,knee\n0,0,1,5\n1,0,2,5\n", {}, "decimal commas between commas"),
         ("t;knee (rad)\n0;-20\n1;-21\n", {}, "line 2: raw_angle_rad in segment 0, sample 0 is -20"),
         ("t;knee (m)\n0;-20\n1;-21\n", {}, "column knee (m) is in m, but raw_angle_rad is in rad"),
-        ("t;knee\n0;1\n", {}, "segment 0 has 1 sample(s); at least 2 are needed"),
+        ("t;knee\n0;1\n", {}, "segment 0 has 1 sample; at least 2 are needed"),
         ("t;knee\n0;1\n0;2\n", {}, "line 3: time_s must increase"),
         ("Hello.\nThis is no table.\n", {}, "holds no table of numbers"),
         ("t,k\n0,1\n1,1\n", {"raw_angle_deg": "knee"}, "has no column 'knee' for raw_angle_deg."),

@@ -20,7 +20,7 @@ from exoid.recordings.loading.can_log import read_can_log
 
 TICKS = 300
 LINE = (
-    "learned by the node of 3 free movement(s), good: m l g / J 27.4 ± 0.12 1/s^2, "
+    "learned by the node of 3 free movements, good: m l g / J 27.4 ± 0.12 1/s^2, "
     "c / J 6.25 ± 0.25 1/s^2, d / J 0.7998 ± 0.0078 1/s, constant torque / J -0.5 ± 0.25 1/s^2, "
     "dry friction / J 0.125 ± 0.016 1/s^2"
 )

@@ -391,7 +391,7 @@ def test_a_bad_sample_of_a_later_segment_is_named_by_its_line(write):
         ("[subject]\nadded_mass_kg = []\n", "added_mass_kg in [subject] is an empty list"),
         ("[subject]\nadded_mass_distance_m = 0.3\n", "without added_mass_kg"),
         ('[protocol]\nkind = "resting"\n', "it can be passive or active or measured"),
-        ("[protocol]\ncycle_period_s = [2.0, 2.0]\n", "cycle_period_s lists 2 value(s) for 1"),
+        ("[protocol]\ncycle_period_s = [2.0, 2.0]\n", "cycle_period_s lists 2 values for 1"),
         ('[protocol]\ncycle_period_s = ["2"]\n', "cycle_period_s in [protocol] is '2'"),
         ("[protocol]\nsegment_start_s = 1.0\n", "segment_start_s in [protocol] takes a list"),
         ("[sensors]\nencoder_counts = -1\n", "encoder_counts is -1 counts per turn"),

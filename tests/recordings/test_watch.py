@@ -111,7 +111,7 @@ def test_one_node_whose_frames_are_lost_or_doubled_is_not_taken_for_two(said):
     ("before", "bad", "cause"),
     [
         ([], 0, "nothing comes. Is this the node's port"),
-        ([], 3, "3 line(s) came that are no frames: something else speaks there"),
+        ([], 3, "3 lines came, no frames: something else speaks there"),
         (numbered(1), 0, "none of 0x100"),
         (Node().messages(10), 0, "it has fallen silent"),
     ],

@@ -12,17 +12,11 @@ from hypothesis import strategies as st
 from rich.console import Console
 from test_fit_json import fitted
 
+from exoid.files.counted import counted
 from exoid.fitting.result.fit_result import Estimate, MountingFit
 from exoid.physics.leg import LegParameters
 from exoid.report.tables.fit import print_fit
-from exoid.report.words.text import (
-    MOST_DIGITS,
-    counted,
-    exponent,
-    in_degrees,
-    shortened,
-    with_error,
-)
+from exoid.report.words.text import MOST_DIGITS, exponent, in_degrees, shortened, with_error
 
 
 def printed(result, width=80):

@@ -363,7 +363,7 @@ def test_report_of_a_can_log_is_repeated(quick):
     _, page = quick
     text = page.by_id("quality").text
     assert "402 samples from 7 of 9 frames" in text
-    assert "2 duplicate frame(s) left out" in text
+    assert "2 duplicate frames left out" in text
     assert "no sidecar" in text
 
 

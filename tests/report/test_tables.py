@@ -21,7 +21,7 @@ from exoid.report.tables.comparison import quantities
 from exoid.report.tables.diagnosis import suspects
 from exoid.report.tables.leg import before_and_after, parameters, ratios, segments
 from exoid.report.tables.table import Column, Table, print_table
-from exoid.report.words.text import told_apart
+from exoid.report.words.text import told_apart, with_error
 from exoid.report.words.typeset import formula, tidy
 
 ROOMY = 200  # letters
@@ -138,3 +138,14 @@ def test_options_that_differ_do_not_look_alike():
     assert told_apart([0.00498, 0.00502, 0.0131]) == ["0.00498", "0.00502", "0.0131"]
     assert told_apart([0.0050, 0.0061]) == ["0.0050", "0.0061"]
     assert told_apart([20.0, 20.0, 31.0]) == ["20", "20", "31"]
+
+
+def test_angles_and_rates_are_compared_in_degrees():
+    bias = Estimate("b", "bias", "rad/s", 0.004, 0.00007)
+    told = printed(quantities([ComparedQuantity("bias", "b", "rad/s", bias, bias)]))
+    assert "0.2292 ± 0.0040" in told
+    assert "deg/s" in told
+
+
+def test_a_zero_has_no_sign():
+    assert with_error(-0.001, 0.28) == "0.00 ± 0.28"

@@ -7,7 +7,7 @@ import pytest
 from exoid.studies.statistics.agreement import agreement
 from exoid.studies.statistics.pairs import Pairs, pairs_of
 from exoid.studies.statistics.tables.said import NotTold
-from exoid.studies.statistics.tables.values import Values
+from exoid.studies.statistics.tables.values import Values, with_people
 
 # Bland & Altman (1986), table 1: peak flow of 17 people by a large and by a mini meter, l/min.
 LARGE = [494, 395, 516, 434, 476, 557, 413, 442, 650, 433, 417, 656, 267, 478, 178, 423, 427]
@@ -41,6 +41,22 @@ def test_with_equal_errors_or_none_the_mean_difference_is_that_of_a_paired_t_tes
         # The search for the variance stops 1e-5 off.
         assert found.p == pytest.approx(float(other.pvalue), rel=1e-3)
         assert found.difference.low == pytest.approx(found.bias.low, rel=1e-3)
+
+
+def test_an_error_of_zero_is_none_and_weighs_no_more_than_another():
+    """As of a count, which noise does not change."""
+    rows = pd.DataFrame(
+        {
+            "recording": ["a", "b"],
+            "participant": ["p1", "p2"],
+            "session": "",
+            "side": "",
+            "value": [4.0, 5.0],
+            "standard_error": [0.0, 0.5],
+        }
+    )
+    found = with_people(rows, pd.DataFrame({"recording": ["a", "b"]}))
+    assert found["error"].tolist() == pytest.approx([np.nan, 0.5], nan_ok=True)
 
 
 def test_the_errors_of_the_estimates_are_told_as_their_share():

@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from exoid.files.counted import counted
 from exoid.recordings import summary
 from exoid.recordings.samples import Samples
 from exoid.recordings.unit_hint import unit_hint
@@ -293,7 +294,9 @@ def check_segment(number: int, segment: Segment) -> None:
     where = f"segment {number}"
     time = segment.time
     if time.size < 2:
-        raise ValueError(f"{where} has {time.size} sample(s); at least 2 are needed. Drop it.")
+        raise ValueError(
+            f"{where} has {counted(time.size, 'sample')}; at least 2 are needed. Drop it."
+        )
     if segment.angle is None and segment.raw_angle is None:
         raise ValueError(f"{where} has no angle: give `angle_rad` or `raw_angle_rad`.")
     if np.isnan(time).any():
@@ -404,7 +407,8 @@ def check_entry(meta, value, segments: int | None) -> None:
     values = value if isinstance(value, tuple) else (value,)
     if isinstance(value, tuple) and segments is not None and len(value) != segments:
         raise ValueError(
-            f"{key} lists {len(value)} value(s) for {segments} segment(s). Give one for each."
+            f"{key} lists {counted(len(value), 'value')} for {counted(segments, 'segment')}. "
+            "Give one for each."
         )
     for each in values:
         check_word(meta, each)

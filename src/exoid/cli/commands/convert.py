@@ -75,8 +75,8 @@ def convert(
     check_outputs((output, ("csv", "parquet")), (sidecar, ()), force=force, inputs=[recording])
     told = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
     loaded = take(recording, strict=strict, whole=whole, **told).recording
+    from exoid.files.counted import counted
     from exoid.recordings.formats.own_table import write_table
-    from exoid.report.words.text import counted
 
     patiently(lambda: write_table(loaded, output), f"writing {output.name}")
     say(f"{output}: {counted(len(loaded.segments), 'segment')}, and {sidecar}")
@@ -96,9 +96,9 @@ def convert_folder(
 ) -> None:
     """A data set as the layout that it has not, unless one is named."""
     check_folder(output, force, [folder])
+    from exoid.files.counted import counted
     from exoid.files.replacing import name_aside, replacing_folder
     from exoid.recordings.tables.sheet import listed
-    from exoid.report.words.text import counted
     from exoid.studies.dataset.open_dataset import open_dataset
     from exoid.studies.dataset.writing.convert_dataset import convert_dataset
 

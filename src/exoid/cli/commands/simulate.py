@@ -97,11 +97,11 @@ def simulate(
     import jax.numpy as jnp
     import numpy as np
 
+    from exoid.files.counted import counted
     from exoid.physics.leg import LegModel, LegParameters
     from exoid.physics.torque import NoTorque
     from exoid.recordings.formats.own_table import write_table
     from exoid.recordings.recording import Subject
-    from exoid.report.words.text import counted
     from exoid.twin.motion import Movement
     from exoid.twin.protocols import record
 

@@ -6,6 +6,7 @@ from contextlib import suppress
 from exoid.cli.live.session import NAMES, Session
 from exoid.cli.terminal.faults import one_line
 from exoid.cli.terminal.say import say
+from exoid.files.counted import counted
 from exoid.recordings.live.channel.address import CanBusError
 from exoid.recordings.live.log_file import LogFile
 from exoid.recordings.loading.can_log import read_can_log
@@ -29,7 +30,7 @@ def lines_of(session: Session) -> Iterator[str]:
     path, watch, marked = session.log.path, session.watch, session.marks.closed
     yield f"{path}: {watch.seconds:.1f} s, {watch.frames} frames; sidecar {session.sidecar}"
     if session.bus.bad:
-        yield f"{session.bus.bad} bad line(s) were no frames and are left out"
+        yield f"{counted(session.bus.bad, 'bad line')}, no frames, left out"
     if marked:
         yield ", ".join(f"{NAMES[kind]} {a:.1f} to {b:.1f} s" for kind, a, b in marked)
     try:

@@ -4,7 +4,7 @@ from collections import defaultdict
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from exoid.report.words.text import counted
+from exoid.files.counted import counted
 
 if TYPE_CHECKING:
     from exoid.studies.dataset.check.check import Checked

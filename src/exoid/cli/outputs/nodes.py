@@ -4,6 +4,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from exoid.files.counted import counted
+
 if TYPE_CHECKING:
     from exoid.recordings.commissioning.node_state import NodeState
     from exoid.recordings.commissioning.told_parameters import HeldParameters
@@ -58,7 +60,8 @@ def told(state: "NodeState") -> list[str]:
         f"node {named['id']}, serial {named['serial']}, firmware {named['firmware']}",
         f"{state.mounting}",
         f"CAN bus at {named['bit rate']}",
-        f"supply {named['supply']}; errors: {errors}; settings stored {state.changes} time(s)",
+        f"supply {named['supply']}; errors: {errors}; settings stored "
+        f"{counted(state.changes, 'time')}",
         f"state: {named['state']}",
         *(told_parameters(state.parameters) if state.parameters else ()),
     ]

@@ -110,7 +110,7 @@ def describe(
     if misplaced(problem, ended):
         told = without_scale(told)
     errors = [told.ratios[each].standard_error or 0.0 for each in LEANING]
-    slack = left_open(problem, ended, errors)
+    slack = left_open(problem, ended, errors) if told.follows else None
     said = notes(told, basis, at_bound, slack)
     moment = estimate_moment(basis, told.ratios["gravity_over_inertia"], told.parameters["inertia"])
     return replace(told, ratios=with_slack(told.ratios, slack), gravity_moment=moment, notes=said)

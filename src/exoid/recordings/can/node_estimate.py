@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from exoid.files.counted import counted
+
 NAMES = ("m l g / J", "c / J", "d / J", "constant torque / J", "dry friction / J")
 UNITS = ("1/s^2", "1/s^2", "1/s", "1/s^2", "1/s^2")
 UNEXPLAINED, CHANGED = "the model does not explain the movement", "the leg has changed"
@@ -40,7 +42,9 @@ class NodeEstimate:
         values = ", ".join(
             f"{name} {value:.4g} ± {error:.2g} {unit}" for name, value, error, unit in told
         )
-        return f"learned by the node of {self.drops} free movement(s), {self.trust}: {values}"
+        return (
+            f"learned by the node of {counted(self.drops, 'free movement')}, {self.trust}: {values}"
+        )
 
 
 def word(trust: int) -> str:

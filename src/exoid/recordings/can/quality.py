@@ -6,6 +6,7 @@ from typing import Literal
 import numpy as np
 from jaxtyping import Float, Int
 
+from exoid.files.counted import counted
 from exoid.recordings.can.clock_rate import ClockRate, clock_lines
 from exoid.recordings.can.frames import CanLogError
 from exoid.recordings.can.node_estimate import NodeEstimate
@@ -95,16 +96,19 @@ class LogQuality:
         told = [
             (self.stopped, f"not read: {self.stopped}"),
             (self.announced_missing, self.announced_line),
-            (frames.remote, f"{frames.remote} remote frame(s) with an id of ours"),
-            (frames.fd, f"{frames.fd} CAN FD frame(s) with an id of ours"),
-            (frames.extended, f"{frames.extended} frame(s) with our id in the wrong id format"),
-            (frames.wrong_length, f"{frames.wrong_length} frame(s) of the wrong length"),
-            (frames.astray, f"{frames.astray} frame(s) out of order, left out"),
+            (frames.remote, f"{counted(frames.remote, 'remote frame')} with an id of ours"),
+            (frames.fd, f"{counted(frames.fd, 'CAN FD frame')} with an id of ours"),
+            (
+                frames.extended,
+                f"{counted(frames.extended, 'frame')} with our id in the wrong id format",
+            ),
+            (frames.wrong_length, f"{counted(frames.wrong_length, 'frame')} of the wrong length"),
+            (frames.astray, f"{counted(frames.astray, 'frame')} out of order, left out"),
         ]
         lines = [line for found, line in told if found]
         lines += [
-            f"{count.name}: {count.expected - count.used} of {count.expected} frame(s) lost, "
-            f"the counter jumps {count.jumps} time(s)"
+            f"{count.name}: {count.expected - count.used} of {counted(count.expected, 'frame')} "
+            f"lost, the counter jumps {counted(count.jumps, 'time')}"
             for count in self.messages
             if count.expected > count.used
         ]
@@ -120,21 +124,23 @@ class LogQuality:
         if not self.announced:
             why = "the logger was killed, or its disk was full"
             return f"the header was never completed ({why}); {self.found} found"
-        return f"the header announces {self.announced} object(s), the file holds {self.found}"
+        return (
+            f"the header announces {counted(self.announced, 'object')}, the file holds {self.found}"
+        )
 
     def gap_lines(self) -> list[str]:
         longest = sorted(self.gaps, key=lambda gap: -gap.duration)[:SHOWN]
         lines = [
-            f"gap of {gap.duration:.2f} s ({gap.samples} sample(s)) at {gap.start:.2f} s"
+            f"gap of {gap.duration:.2f} s ({counted(gap.samples, 'sample')}) at {gap.start:.2f} s"
             for gap in sorted(longest, key=lambda gap: gap.start)
         ]
         rest = len(self.gaps) - len(lines)
-        return lines + ([f"{rest} shorter gap(s)"] if rest else [])
+        return lines + ([counted(rest, "shorter gap")] if rest else [])
 
     def reset_lines(self) -> list[str]:
         places = ", ".join(f"{at:.2f} s" for at in self.resets[:SHOWN])
         count = len(self.resets)
-        return [f"the node started again {count} time(s), at {places}"] if count else []
+        return [f"the node started again {counted(count, 'time')}, at {places}"] if count else []
 
     def lines(self) -> list[str]:
         """The report, line by line: what was read, by which clock, what is missing or masked."""
@@ -149,11 +155,15 @@ class LogQuality:
             lines.append(f"host time jitters by {self.host_jitter * 1e3:.2f} ms (not used)")
         lines += self.commissioned
         lines += self.losses()
-        lines += [f"{frames.foreign} frame(s) of other nodes"] if frames.foreign else []
-        lines += [f"{frames.error} error frame(s) on the bus"] if frames.error else []
-        lines += [f"{frames.duplicate} duplicate frame(s) left out"] if frames.duplicate else []
-        lines += [f"{name}: {count} sample(s)" for name, count in self.faults if count]
-        lines += [f"the node missed {self.missed_ticks} tick(s)"] if self.missed_ticks else []
+        lines += [f"{counted(frames.foreign, 'frame')} of other nodes"] if frames.foreign else []
+        lines += [f"{counted(frames.error, 'error frame')} on the bus"] if frames.error else []
+        lines += (
+            [f"{counted(frames.duplicate, 'duplicate frame')} left out"] if frames.duplicate else []
+        )
+        lines += [f"{name}: {counted(count, 'sample')}" for name, count in self.faults if count]
+        lines += (
+            [f"the node missed {counted(self.missed_ticks, 'tick')}"] if self.missed_ticks else []
+        )
         lines += self.filter_lines()
         lines += [self.learned.line] if self.learned is not None else []
         return lines + [note for note in self.notes if note not in lines]

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float, Int
 
+from exoid.files.counted import counted
 from exoid.recordings.can.clock_rate import fitted_line
 from exoid.recordings.can.device_clock import without_spikes
 from exoid.recordings.can.frames import CanLogError, Log
@@ -28,7 +29,7 @@ class Track:
 def track_of(log: Log, message: MessageFrames) -> Track:
     if message.order.size < 2:
         raise CanLogError(
-            f"{log.path} holds {message.order.size} frame(s) of {message.plan.name} "
+            f"{log.path} holds {counted(message.order.size, 'frame')} of {message.plan.name} "
             f"(id 0x{message.plan.identifier:X}, {message.plan.length} bytes). "
             "Is this the right DBC for the log?"
         )

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from math import degrees
 
+from exoid.files.counted import counted
 from exoid.recordings.commissioning.commands import EVERYBODY, SET_ZERO, TELL, command
 from exoid.recordings.commissioning.ear import Ear
 from exoid.recordings.commissioning.node_state import NodeState
@@ -119,8 +120,8 @@ class Dialogue:
             )
         if ear.others:
             return (
-                f"{where}, but {ear.others} frame(s) of others came. Is this its bus, and is the "
-                "node powered?"
+                f"{where}, but {counted(ear.others, 'frame')} of others came. Is this its bus, and "
+                "is the node powered?"
             )
         if self.bus.bad:
             return f"{where}: {something_else(self.bus.bad)}"

@@ -1,5 +1,6 @@
 """Why nothing may come of a node, and what to check."""
 
+from exoid.files.counted import counted
 from exoid.recordings.can.node.which import MEASURED, messages_of
 
 CHECK = (
@@ -26,6 +27,6 @@ def why_silent(others: bool, bad: int, node: int) -> str:
 def something_else(bad: int) -> str:
     """Of a channel on which so many lines came, and no frame."""
     return (
-        f"{bad} line(s) came that are no frames: something else speaks there. Is this the right "
+        f"{counted(bad, 'line')} came, no frames: something else speaks there. Is this the right "
         "port, and does the node run the firmware of exoid?"
     )

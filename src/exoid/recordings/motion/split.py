@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from exoid.files.counted import counted
 from exoid.recordings.motion.cycle import find_cycle
 from exoid.recordings.motion.extent import Motionless
 from exoid.recordings.motion.pieces import Piece, find_pieces
@@ -125,7 +126,8 @@ def marked_parts(log: Segment, starts: Marks, ends: Marks | None) -> list[slice]
         if inside.size < 2:
             raise ValueError(
                 f"segment {number} is marked from {start:g} to {end:g} s, where the log has "
-                f"{inside.size} sample(s); it runs from {log.time[0]:g} to {log.time[-1]:g} s. "
+                f"{counted(inside.size, 'sample')}; it runs from {log.time[0]:g} to "
+                f"{log.time[-1]:g} s. "
                 "Is the log cut? Take this segment out of segment_start_s, segment_end_s and every "
                 "list of the sidecar that has one entry for each segment."
             )

@@ -3,13 +3,14 @@
 import numpy as np
 from jaxtyping import Float
 
+from exoid.files.counted import counted
 from exoid.fitting.multistart.search_result import SAME_LOSS
 from exoid.fitting.result.fit_result import Estimate, FitResult, MultistartReport
 from exoid.report.pictures.axis import view
 from exoid.report.pictures.panel import Axis, Mark, Panel, Picture, Points, Range
 from exoid.report.pictures.role import Role
 from exoid.report.words.estimate import on_bound
-from exoid.report.words.text import by_reason, counted, in_words
+from exoid.report.words.text import by_reason, in_words
 
 PAIRS = (("mass", "com_distance"), ("inertia", "stiffness"), ("inertia", "damping"))
 NO_REASON = "the recording does not tell"

@@ -2,12 +2,13 @@
 
 from collections.abc import Iterator
 
+from exoid.files.counted import counted
 from exoid.planning.planned import Plan
 from exoid.report.parts.case import Case
 from exoid.report.sections.blocks import Block, Group, element
 from exoid.report.sections.section import section
 from exoid.report.tables.plan import files, stated, steps
-from exoid.report.words.text import counted, in_words
+from exoid.report.words.text import in_words
 from exoid.report.words.typeset import typeset
 
 HOW = (

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from exoid.files.counted import counted
 from exoid.pendulum.drop import Drop, PendulumTest
 from exoid.pendulum.drops import measure_drops
 from exoid.report.parts.case import Case
@@ -10,7 +11,7 @@ from exoid.report.sections.blocks import Block, element, some
 from exoid.report.sections.section import section
 from exoid.report.tables.drops import SOURCE, loaded, mean, of_mixed_starts, unit_of, value
 from exoid.report.tables.table import Column, Table
-from exoid.report.words.text import by_reason, counted
+from exoid.report.words.text import by_reason
 
 SHOWN = 4  # drops that are drawn; the first ones
 AVERAGE = "mean ± sd"

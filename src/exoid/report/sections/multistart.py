@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from exoid.files.counted import counted
 from exoid.fitting.result.fit_result import MultistartReport
 from exoid.report.parts.case import Case
 from exoid.report.pictures.search import pairs_of, show_costs, show_family
@@ -9,7 +10,7 @@ from exoid.report.sections.blocks import Block, Group
 from exoid.report.sections.section import section
 from exoid.report.tables.fit import span
 from exoid.report.tables.table import Table
-from exoid.report.words.text import counted, in_words
+from exoid.report.words.text import in_words
 
 
 @section("multistart", "The search from many starts")

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from markupsafe import Markup
 
+from exoid.files.counted import counted
 from exoid.fitting.errors.profile import named
 from exoid.fitting.result.agreement import of_the_rest
 from exoid.fitting.result.fit_result import Estimate
@@ -19,7 +20,7 @@ from exoid.report.tables.table import Column, Table
 from exoid.report.words.diagnosis import cause, certainty
 from exoid.report.words.diagnosis.asserted import only_sensors
 from exoid.report.words.diagnosis.verdict import verdict
-from exoid.report.words.text import capital, counted, in_degrees, in_words
+from exoid.report.words.text import capital, in_degrees, in_words
 
 BELIEF = {
     "data": "measured: this recording determines it",

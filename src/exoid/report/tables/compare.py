@@ -53,8 +53,9 @@ class ComparedQuantity:
     @property
     def standard_errors(self) -> float | None:
         """The difference over its error."""
-        known = self.difference is not None and self.error is not None
-        return self.difference / self.error if known else None
+        if self.difference is None or self.error is None:
+            return None
+        return self.difference / self.error
 
 
 @dataclass(frozen=True)

@@ -5,11 +5,13 @@ from typing import Any
 
 from rich.console import Console
 
+from exoid.files.counted import counted
 from exoid.fitting.result.fit_result import Estimate
 from exoid.report.document.fit_json import entry
 from exoid.report.document.plain_json import plain
 from exoid.report.saved.saved_result import SavedResult
 from exoid.report.tables.compare import HASHED, ComparedQuantity, Comparison
+from exoid.report.tables.leg import in_print
 from exoid.report.tables.same_leg import strangers
 from exoid.report.tables.table import Column, Table, print_table, with_unit
 from exoid.report.tables.two_diagnoses import diagnosis_entry, side_by_side
@@ -18,7 +20,6 @@ from exoid.report.words.person import person
 from exoid.report.words.text import (
     aligned,
     capital,
-    counted,
     heading,
     in_degrees,
     in_words,
@@ -72,7 +73,7 @@ def quantities(each: list[ComparedQuantity]) -> Table:
         "quantity": Column(names, spare=1, brief=[one.symbol for one in each]),
         "first": [value(one.first) for one in each],
         "second": [value(one.second) for one in each],
-        "unit": [shown_unit(one.unit) for one in each],
+        "unit": [shown_unit(printed(one).unit) for one in each],
         "second - first": [difference(one) for one in each],
         "in errors": Column([errors(one) for one in each], head="in\nerrors", spare=2),
     }
@@ -80,7 +81,7 @@ def quantities(each: list[ComparedQuantity]) -> Table:
 
 
 def value(each: Estimate | None) -> str:
-    return "" if each is None else written(each)
+    return "" if each is None else written(in_print(each))
 
 
 def difference(each: ComparedQuantity) -> str:
@@ -91,11 +92,21 @@ def difference(each: ComparedQuantity) -> str:
     if abs(first) > CLEARLY * each.error:
         percent = 100 / abs(first)
         return f"{signed(each.difference * percent, each.error * percent)} %"
-    return with_unit(signed(each.difference, each.error), each.unit)
+    apart = printed(each, each.difference, each.error)
+    return with_unit(signed(apart.value, apart.standard_error), apart.unit)
 
 
-def signed(value: float, error: float) -> str:
+def printed(
+    each: ComparedQuantity, value: float | None = None, error: float | None = None
+) -> Estimate:
+    """A value of this quantity in the units of a table."""
+    return in_print(Estimate(each.symbol, each.name, each.unit, value, error))
+
+
+def signed(value: float | None, error: float | None) -> str:
     """With a plus, too."""
+    assert value is not None
+    assert error is not None
     return f"{'+' if value > 0 else ''}{with_error(value, error)}"
 
 

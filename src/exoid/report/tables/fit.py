@@ -2,6 +2,7 @@
 
 from rich.console import Console
 
+from exoid.files.counted import counted
 from exoid.fitting.result.agreement import of_the_rest
 from exoid.fitting.result.fit_result import FitResult, SegmentFit
 from exoid.fitting.result.summary import quantities
@@ -17,16 +18,7 @@ from exoid.report.tables.leg import (
 )
 from exoid.report.tables.table import print_table
 from exoid.report.words.estimate import AT_BOUND, written
-from exoid.report.words.text import (
-    aligned,
-    by_reason,
-    capital,
-    counted,
-    heading,
-    in_degrees,
-    note,
-    say,
-)
+from exoid.report.words.text import aligned, by_reason, capital, heading, in_degrees, note, say
 from exoid.trust.identifiability import Identifiability
 
 ALIKE = 0.2  # relative spread of amplitudes

@@ -24,15 +24,15 @@ def shown_unit(unit: str) -> str:
 def with_error(value: float, error: float) -> str:
     """The error with two digits, the value to the same decimal."""
     if not error > 0:
-        return f"{value:.{MOST_DIGITS}g}"
+        return f"{value:z.{MOST_DIGITS}g}"
     last = exponent(error) - 1  # the power of ten of the last digit that is written
     first = max(exponent(value), exponent(error))
     if first - last >= MOST_DIGITS:
-        return f"{value:.{MOST_DIGITS}g} ± {error:.1e}"
+        return f"{value:z.{MOST_DIGITS}g} ± {error:.1e}"
     if -MOST_DECIMALS <= last <= 0:
-        return f"{value:.{-last}f} ± {error:.{-last}f}"
+        return f"{value:z.{-last}f} ± {error:.{-last}f}"
     decimals = first - last
-    return f"({value / 10**first:.{decimals}f} ± {error / 10**first:.{decimals}f})e{first:+d}"
+    return f"({value / 10**first:z.{decimals}f} ± {error / 10**first:.{decimals}f})e{first:+d}"
 
 
 def told_apart(values: list[float]) -> list[str]:
@@ -49,7 +49,7 @@ def with_digits(value: float, digits: int) -> str:
     decimals = digits - 1 - exponent(value)
     if decimals > MOST_DECIMALS:
         return f"{value:.{digits - 1}e}"
-    return f"{value:.{max(decimals, 0)}f}"
+    return f"{value:z.{max(decimals, 0)}f}"
 
 
 def exponent(value: float) -> int:
@@ -82,11 +82,6 @@ def in_degrees(angle: float) -> str:
     value = degrees(angle)
     decimals = 3 if value == 0 else min(max(2 - floor(log10(abs(value))), 0), 9)
     return f"{value:.{decimals}f}"
-
-
-def counted(count: int, one: str, many: str = "") -> str:
-    """A number with its noun."""
-    return f"{count} {one if count == 1 else many or one + 's'}"
 
 
 def shortened(name: str, widest: int) -> str:

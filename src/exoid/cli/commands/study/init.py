@@ -35,8 +35,8 @@ def init(dataset: Folder) -> None:
 
 def tell(dataset: Path, begun: "Begun") -> None:
     """What was written, and what is left to be filled in."""
+    from exoid.files.counted import counted
     from exoid.recordings.tables.sheet import listed
-    from exoid.report.words.text import counted
 
     for path in begun.written:
         say(f"wrote {path}")

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from exoid.files.counted import counted
 from exoid.recordings.can.frames import CanLogError, Log
 from exoid.recordings.can.logs.blf_blocks import (
     LONGEST_PADDING,
@@ -39,7 +40,7 @@ def read_blf(path: Path) -> Log:
     pieces, faults = unbroken_pieces(content, header_size)
     positions = [object_positions(piece) for piece in pieces]
     if not faults and (odd := sum(map(misfits, pieces, positions))):
-        faults.append(f"{odd} object(s) in the blocks are damaged")
+        faults.append(f"{counted(odd, 'damaged object')} in the blocks")
     positions = [within(piece, at) for piece, at in zip(pieces, positions, strict=True)]
     begin = start_time(start)
     first, *others = (frames_at(*pair, begin) for pair in zip(pieces, positions, strict=True))

@@ -1,5 +1,6 @@
 """What EXO_HEALTH tells: why the node started, and what it had to set up again."""
 
+from exoid.files.counted import counted
 from exoid.recordings.can.sort import MessageFrames
 
 HEALTH = "EXO_HEALTH"
@@ -40,7 +41,8 @@ def health_lines(health: MessageFrames | None) -> tuple[str, ...]:
     releases, starts = (int(health.values(name).max()) for name in ("BusReleases", "CanStarts"))
     if releases:
         lines.append(
-            f"the node released its sensors' bus {releases} time(s) after a failed transfer"
+            f"the node released its sensors' bus {counted(releases, 'time')} after a failed "
+            "transfer"
         )
     if starts > 1:
         lines.append(f"the node set its CAN controller up {starts} times")

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from exoid.report.words.text import counted
+from exoid.files.counted import counted
 from exoid.studies.statistics.asked import Answer, Answers
 from exoid.studies.statistics.multiple import WORDS, tested_as
 

@@ -20,7 +20,7 @@ def number(value: float, like: float | None = None) -> str:
     decimals = 1 - exponent(abs(like))
     if decimals > MOST_DECIMALS:
         return f"{value:.3g}"
-    return f"{value:.{max(decimals, 0)}f}"
+    return f"{value:z.{max(decimals, 0)}f}"
 
 
 def with_interval(each: Interval, unit: str = "1") -> str:

@@ -2,8 +2,9 @@
 
 from collections.abc import Iterator
 
+from exoid.files.counted import counted
 from exoid.recordings.tables.sheet import listed
-from exoid.report.words.text import by_reason, counted, quantity_words
+from exoid.report.words.text import by_reason, quantity_words
 from exoid.studies.page.parts.correction import tested
 from exoid.studies.page.parts.presence import rests, whose
 from exoid.studies.page.parts.tables import failures

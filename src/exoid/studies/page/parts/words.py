@@ -3,14 +3,8 @@
 from collections.abc import Sequence
 from math import isfinite
 
-from exoid.report.words.text import (
-    by_reason,
-    capital,
-    counted,
-    in_words,
-    quantity_words,
-    shown_unit,
-)
+from exoid.files.counted import counted
+from exoid.report.words.text import by_reason, capital, in_words, quantity_words, shown_unit
 from exoid.studies.page.parts.numbers import number, odds, with_interval
 from exoid.studies.page.parts.presence import rests
 from exoid.studies.statistics.agreement import Agreement

@@ -5,10 +5,11 @@ from math import isfinite
 
 import numpy as np
 
+from exoid.files.counted import counted
 from exoid.report.pictures.axis import view
 from exoid.report.pictures.panel import Axis, Mark, Panel, Picture, Points
 from exoid.report.pictures.role import Role
-from exoid.report.words.text import capital, counted, quantity_words, shown_unit
+from exoid.report.words.text import capital, quantity_words, shown_unit
 from exoid.studies.page.parts.numbers import number, with_interval
 from exoid.studies.statistics.asked import Answer
 from exoid.studies.statistics.groups import MOST_GROUPS, Comparison, label

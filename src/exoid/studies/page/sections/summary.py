@@ -2,8 +2,9 @@
 
 from collections.abc import Iterator
 
+from exoid.files.counted import counted
 from exoid.report.sections.blocks import Block, Group, card, element
-from exoid.report.words.text import capital, counted, quantity_words
+from exoid.report.words.text import capital, quantity_words
 from exoid.studies.page.parts.correction import tested
 from exoid.studies.page.parts.opening import opening
 from exoid.studies.page.parts.part import Told, part

@@ -111,10 +111,12 @@ def of_one_step(rows: Frame) -> Frame:
 
 
 def with_people(rows: Frame, recordings: Frame) -> Frame:
-    """Values beside what is known of their people."""
+    """Values beside what is known of their people. An error of 0, as of a count that noise does not
+    change, is none: such a value would weigh more than all others.
+    """
     known = [each for each in recordings if each.startswith("participant_") or each in PERSONAL]
     people = recordings.drop_duplicates("recording").set_index("recording")[known]
-    error = rows["standard_error"].where(rows["standard_error"] >= 0)
+    error = rows["standard_error"].where(rows["standard_error"] > 0)
     told = rows[["recording", "session", "side", "value"]]
     found = told.assign(person=rows["participant"], error=error)
     return found.join(people, on="recording").reset_index(drop=True)

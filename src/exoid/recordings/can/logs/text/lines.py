@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from exoid.files.counted import counted
 from exoid.recordings.can.logs.text.asc import asc_check, is_event
 from exoid.recordings.can.logs.text.candump import candump_check
 from exoid.recordings.can.logs.text.own_csv import csv_check
@@ -63,7 +64,9 @@ class Lines:
 
 def told(damaged: list[str], cut: str | None) -> str | None:
     """What was left out of a text log, in words."""
-    faults = [f"{len(damaged)} damaged line(s) left out, first {damaged[0]}"] if damaged else []
+    faults = (
+        [f"{counted(len(damaged), 'damaged line')} left out, first {damaged[0]}"] if damaged else []
+    )
     if len(damaged) >= MOST_DAMAGED:
         faults.append("and what follows them not read")
     return "; ".join([*faults, *([cut] if cut else [])]) or None
