@@ -10,6 +10,7 @@ from exoid.cli.analysis import ask, check_posterior, compute, profiled, write_po
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
 from exoid.cli.inputs.choices import Clip, FlipOption, Method, Misfit, Reading, Seed, ZeroOption
+from exoid.cli.inputs.near import near
 from exoid.cli.inputs.reading import EXAMPLE, Columns, Dbc, Signals, Strict, as_told, take_all
 from exoid.cli.inputs.terms import (
     Model,
@@ -147,8 +148,10 @@ def fit(
         "clip": clip,
     }
     options |= {"terms": chosen} if chosen else {}
+    alone = saved is not None and not each and not with_term
+    begun = near(saved, paths, as_told(flip, zero)) if alone else {}
     result = patiently(
-        lambda: compute(named, each, options),
+        lambda: compute(named, each, options | begun),
         f"fitting {multistart} starts; the first run of a new shape compiles for some seconds",
     )
     undecided = undecided_in(saved, model) if model else None
