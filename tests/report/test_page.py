@@ -16,12 +16,14 @@ from test_saved_result import check_same
 from exoid.files.visible import visible
 from exoid.fitting.misfit.uncertainty import Shares
 from exoid.pendulum.drops import measure_drops
+from exoid.recordings.recording import Subject
 from exoid.report.document.diagnosis_json import diagnosis_document
 from exoid.report.document.fit_json import fit_document
 from exoid.report.figures.marks import MOST
 from exoid.report.page import SECTIONS, build_page, write_page
 from exoid.report.parts.case import Case
 from exoid.report.saved.saved_result import load_result, save_result
+from exoid.report.sections.quality import described
 from exoid.report.sections.summary import LOST
 from exoid.report.tables.drops import unit_of, value
 from exoid.report.words.text import in_degrees, with_error
@@ -389,3 +391,11 @@ def test_an_existing_page_survives_a_failing_write(tmp_path, monkeypatch):
         write_page(made_up(), path)
     assert path.read_bytes() == b"precious"
     assert [each.name for each in tmp_path.iterdir()] == ["report.html"]
+
+
+def test_what_was_on_the_leg_is_said_with_where_it_sat():
+    weighed = Subject(kind="leg", added_mass=1.5, added_mass_distance=0.37)
+    assert described(weighed)["added mass"] == "1.5 kg at 0.37 m from the knee"
+    some = replace(weighed, added_mass=(0.0, 1.5), added_mass_distance=(np.nan, 0.37))
+    assert described(some)["added mass"] == "0, 1.5 kg at ?, 0.37 m from the knee"
+    assert described(replace(weighed, added_mass_distance=None))["added mass"] == "1.5 kg"

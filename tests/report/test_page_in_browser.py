@@ -262,6 +262,18 @@ def test_buttons_of_a_figure_cover_neither_its_legend_nor_its_panels(phone):
         assert not [one for one in shown for button in buttons if overlap(one, button)], name
 
 
+MORE_DROPS = """(each) => each.querySelectorAll("tr").forEach(
+    (row) => row.append(...[...row.children].slice(-2).map((cell) => cell.cloneNode(true))))"""
+
+
+def test_a_desktop_shows_the_whole_table_of_two_drops_more(browser, report):
+    with opened(browser, report, DESKTOP) as (page, _, _):
+        table = page.locator("#drops .wide").first
+        table.evaluate(MORE_DROPS)
+        inner, outer = table.evaluate("(each) => [each.scrollWidth, each.clientWidth]")
+        assert inner <= outer
+
+
 def test_a_phone_shows_every_value_of_every_table_without_scrolling(phone):
     page, _, _ = phone
     page.evaluate("document.querySelectorAll('details').forEach((each) => (each.open = true))")

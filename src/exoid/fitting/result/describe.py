@@ -126,19 +126,21 @@ def with_slack(ratios: dict[str, Estimate], found: Leaning | None) -> dict[str, 
 
 
 def notes(result: FitResult, basis: Basis, at_bound: set[str], slack: Leaning | None) -> list[str]:
-    """What the user should know of a fit, that it does not follow first."""
+    """What the user should know of a fit, that it does not follow first; of numbers that are not to
+    be used, not how well they are known.
+    """
     problem, ended = basis.problem, basis.ended
+    known = [*limiting({**result.parameters, **result.ratios}), *granted(problem)]
     return [
         *of_astray(result.astray, problem.belief, len(problem.recordings) > 1),
         *(of_misplaced(problem, ended) if result.follows else []),
         *of_the_rest(result.segments, ended.disturbance),
-        *remarks(problem, ended, at_bound),
+        *remarks(problem, ended, at_bound, follows=result.follows),
         *of_scale(result.parameters, result.segments),
         *of_far_zeros(problem, ended),
         *slack_angle_remarks(slack),
         *suspicions(problem, result.mountings, ended),
-        *limiting({**result.parameters, **result.ratios}),
-        *granted(problem),
+        *(known if result.follows else []),
     ]
 
 

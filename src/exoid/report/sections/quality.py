@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import fields
+from math import isnan
 
 from markupsafe import escape
 
@@ -80,8 +81,14 @@ def described(subject: Subject) -> dict[str, str]:
         for name, value in known.items()
         if value is not None
     }
-    masses = subject.added_mass
-    if masses is not None:
-        each = masses if isinstance(masses, tuple) else (masses,)
-        said["added mass"] = f"{', '.join(f'{one:g}' for one in each)} kg"
+    if subject.added_mass is not None:
+        said["added mass"] = f"{listed(subject.added_mass)} kg"
+        if subject.added_mass_distance is not None:
+            said["added mass"] += f" at {listed(subject.added_mass_distance)} m from the knee"
     return {"kind": subject.kind or "unknown", **said}
+
+
+def listed(each: float | tuple[float, ...]) -> str:
+    """One for all segments, or that of each; a distance may be unknown."""
+    values = each if isinstance(each, tuple) else (each,)
+    return ", ".join("?" if isnan(one) else f"{one:g}" for one in values)

@@ -36,7 +36,9 @@ SLIGHT = 1e-3  # of m l g, below which an unknown torque changes no number that 
 INCOMPLETE = "no error bar of a model that misses something is complete"
 
 
-def remarks(problem: Problem, ended: SearchResult, at_bound: set[str]) -> list[str]:
+def remarks(
+    problem: Problem, ended: SearchResult, at_bound: set[str], *, follows: bool = True
+) -> list[str]:
     """How segments were taken, what the residual holds, and which limits decided."""
     said = []
     guessed = [each for each in problem.movements if not each.kind_said]
@@ -72,7 +74,7 @@ def remarks(problem: Problem, ended: SearchResult, at_bound: set[str]) -> list[s
         )
     if float(ended.best.violation[0]) > FEASIBLE:
         said.append("the limits could not all be met: see the bounds in the table.")
-    said += of_bounds(problem, at_bound)
+    said += of_bounds(problem, at_bound, "use the ratios" if follows else "")
     if sum(each.voluntary for each in problem.movements) > 1:
         said.append(
             "tau and tau / J are means over the voluntary segments, each with its own effort."
@@ -263,8 +265,8 @@ def of_missed(
     return []
 
 
-def of_bounds(problem: Problem, at_bound: set[str]) -> list[str]:
-    """Which limits decided."""
+def of_bounds(problem: Problem, at_bound: set[str], advice: str) -> list[str]:
+    """Which limits decided, with what to do where the ratios can be used."""
     said, belief = [], problem.belief
     limits = belief.limits
     for name, declared in declarations(LegParameters):
@@ -273,7 +275,7 @@ def of_bounds(problem: Problem, at_bound: set[str]) -> list[str]:
             said.append(
                 f"{declared.symbol} ran into its limits of {low:.3g} to {high:.3g} {declared.unit} "
                 f"({whose(belief, name)}). Absolute values that go with it follow from that limit, "
-                "not from the recording: use the ratios."
+                f"not from the recording{advice and ': '}{advice}."
             )
     for rule in RULES:
         if rule in at_bound:
