@@ -1,6 +1,5 @@
 """A fit with a model that was found in the same recordings begins where that ended."""
 
-from hashlib import sha256
 from types import SimpleNamespace
 
 import numpy as np
@@ -10,29 +9,20 @@ from exoid.cli.inputs.near import near
 from fit_cases import leg
 
 
-@pytest.fixture
-def path(tmp_path):
-    path = tmp_path / "a.csv"
-    path.write_bytes(b"time_s,raw_angle_rad\n")
-    return path
-
-
-def saved(path, **settings):
+def saved(*hashes, **settings):
     """What of a saved result says where it ended, and in what."""
     result = SimpleNamespace(leg=leg(), torque_amplitude=None)
-    source = {"sha256": sha256(path.read_bytes()).hexdigest()}
-    return SimpleNamespace(result=result, recordings=[source], settings=settings)
+    sources = [{"sha256": each} for each in hashes]
+    return SimpleNamespace(result=result, recordings=sources, settings=settings)
 
 
-def test_it_begins_at_the_leg_that_was_found(path):
-    row = near(saved(path), [path], {})["near"]
+def test_it_begins_at_the_leg_that_was_found():
+    row = near(saved("a", "b"), ["b", "a"], {})["near"]
     assert row == pytest.approx(np.array([4.5, 0.42, 0.26, 0.33, 2.6, 0.0]))
 
 
-def test_other_recordings_have_a_leg_of_their_own(path, tmp_path):
-    found, other = saved(path), tmp_path / "b.csv"
-    other.write_bytes(b"time_s,angle_rad\n")
-    assert near(found, [other], {}) == {}
-    assert near(found, [path, other], {}) == {}
-    assert near(found, [path], {"flip": "all"}) == {}
-    assert "near" in near(saved(path, flip="all"), [path], {"flip": "all"})
+def test_other_recordings_have_a_leg_of_their_own():
+    assert near(saved("a"), ["b"], {}) == {}
+    assert near(saved("a"), ["a", "b"], {}) == {}
+    assert near(saved("a"), ["a"], {"flip": "all"}) == {}
+    assert "near" in near(saved("a", flip="all"), ["a"], {"flip": "all"})

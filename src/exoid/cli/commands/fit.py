@@ -33,7 +33,7 @@ from exoid.cli.outputs.destination import (
     Report,
     check_outputs,
 )
-from exoid.cli.outputs.origin import inputs, origin_of
+from exoid.cli.outputs.origin import inputs, origin_of, sha256_of
 from exoid.cli.outputs.page import sources_of, write_report
 from exoid.cli.outputs.results import introduce, keep, show, traced
 from exoid.cli.outputs.written import Outputs
@@ -149,7 +149,7 @@ def fit(
     }
     options |= {"terms": chosen} if chosen else {}
     alone = saved is not None and not each and not with_term
-    begun = near(saved, paths, as_told(flip, zero)) if alone else {}
+    begun = near(saved, [*map(sha256_of, paths)], as_told(flip, zero)) if alone else {}
     result = patiently(
         lambda: compute(named, each, options | begun),
         f"fitting {multistart} starts; the first run of a new shape compiles for some seconds",

@@ -1,20 +1,17 @@
 """Where a fit begins whose model was found before, in the same recordings."""
 
-from pathlib import Path
 from typing import Any
-
-from exoid.cli.outputs.origin import sha256_of
 
 READ_AS = ("flip", "zero")  # what makes another recording of the same file
 
 
-def near(saved, paths: list[Path], read_as: dict[str, str]) -> dict[str, Any]:
+def near(saved, hashes: list[str], read_as: dict[str, str]) -> dict[str, Any]:
     """The leg of a saved result as `fit` takes it to begin with; nothing where that rests on other
-    recordings, or read otherwise, which have a leg of their own.
+    recordings than those of these `hashes`, or read otherwise, which have a leg of their own.
     """
     known = sorted(str(each.get("sha256")) for each in saved.recordings)
     same = all(saved.settings.get(each) == read_as.get(each) for each in READ_AS)
-    if not same or known != sorted(map(sha256_of, paths)):
+    if not same or known != sorted(hashes):
         return {}
     import jax
     import numpy as np
