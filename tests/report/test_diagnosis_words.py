@@ -16,7 +16,7 @@ from exoid.report.tables.diagnosis import suspects
 from exoid.report.words.diagnosis.cause import parameter
 from exoid.report.words.diagnosis.leg import beside
 from exoid.report.words.diagnosis.sentences import sentences
-from exoid.report.words.diagnosis.verdict import headline
+from exoid.report.words.diagnosis.verdict import headline, verdict
 
 
 def test_a_parameter_without_an_error_is_no_measurement():
@@ -131,15 +131,19 @@ def test_what_may_act_besides_is_apart_from_what_it_may_be_instead():
 
 
 @pytest.mark.parametrize(
-    ("named", "twin"),
-    [("stiffness_rest_angle", "torque_bias"), ("gyro_scale", "clock_rate")],
+    ("named", "twin", "title"),
+    [
+        ("stiffness_rest_angle", "torque_bias", "constant torque"),
+        ("gyro_scale", "clock_rate", "rate of the clock"),
+    ],
 )
-def test_what_is_the_same_in_every_recording_is_no_doubt(named, twin):
+def test_what_is_the_same_in_every_recording_is_no_doubt(named, twin, title):
     (cause,) = found().findings
     one = replace(found(), findings=[replace(cause, name=named)], equivalent=[named, twin])
-    said = sentences(one)["How sure"]
-    assert f"{twin.replace('_', ' ')} would look exactly alike;" in said
-    assert "cannot tell" not in said
+    said = sentences(one)
+    assert said["Missing"].endswith(f"; or {title}, which would look exactly alike")
+    assert verdict(one).endswith(f", or {title}")
+    assert "cannot tell" not in said["How sure"]
 
 
 def test_a_number_that_is_smaller_than_its_error_is_no_size():

@@ -14,7 +14,6 @@ from exoid.fitting.misfit.condensed import Neighbourhood
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import declared_slopes
 from exoid.fitting.model.coordinates import TYPICAL, places
-from exoid.fitting.model.systematics import GYRO_SCALE
 from exoid.fitting.model.term_parameters import parameters_of
 from exoid.fitting.multistart.weight_by_kind import explained
 from exoid.fitting.solve.ask import advance, lowest, take, task, told_at
@@ -26,11 +25,8 @@ STEEPEST = np.radians(5.0)  # standard deviation of its tilt
 LYING = 2.0  # times it: a fit with a seat that is tilted by more takes it for something else
 FINE = 1e-2  # tolerance, in units of noise
 DISAGREE = 5.0  # standard errors from which on encoder and gyro clearly disagree in scale
-SUSPECTED = 0.6  # of that disagreement: about the root mean square of any part of it
-WORST = 5e-3  # standard deviation of a clock that is off: a crystal is better
-# Where they disagree by so much, no gyro is usual, and a nominal rate may have been taken for the
-# true one; by more than that no clock is off.
-GROSS = (1.5 * GYRO_SCALE, 0.05)
+SUSPECTED = 0.6  # of that disagreement: each of three may hold all of it, or a part
+FARTHEST = 0.05  # of a rate: a polled loop, or a nominal rate that was taken for the true one
 BEYOND = 2.0  # times it the gyro's own may be
 VAGUE = 1e-9  # of every information, and of one typical step, that is known of everything
 
@@ -122,9 +118,7 @@ def with_doubted_clocks(problem: Problem, best: Solved, local: Neighbourhood) ->
     chosen = False
     for entry in undeclared(problem, "clock"):
         value, gradient = gyro_scale(problem, best, local, entry)
-        suspected = SUSPECTED * abs(value)
-        if not GROSS[0] < abs(value) < GROSS[1]:
-            suspected = min(suspected, WORST)
+        suspected = SUSPECTED * min(abs(value), FARTHEST)
         error = float(np.sqrt(gradient @ total @ gradient))
         if abs(value) > DISAGREE * error and suspected > clock[entry]:
             clock[entry], chosen = suspected, True

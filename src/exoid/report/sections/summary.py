@@ -146,8 +146,8 @@ def missing(found: Diagnosis) -> Group:
             f"With it, held-out data are predicted to {in_degrees(after)} deg instead of "
             f"{in_degrees(before)} deg."
         )
-    effects = sentence("; ".join([*cause.named(found), *certainty.others(found)]))
-    return card(question, "care", answer, f"{effects} {proof}".strip())
+    effects = [*cause.named(found), *certainty.alike(found), *certainty.others(found)]
+    return card(question, "care", answer, f"{sentence('; '.join(effects))} {proof}".strip())
 
 
 def numbers(case: Case) -> Group:

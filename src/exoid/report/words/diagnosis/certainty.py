@@ -11,18 +11,30 @@ CERTAIN = 0.001  # below this share a chance is written as "below"
 
 
 def others(found: Diagnosis) -> list[str]:
-    """What may act besides, and what it may be instead."""
+    """What may act besides, and what it may be instead, where that is no exact twin."""
     named = set(found.selected)
     mine = named - {BIAS}  # a bias is free in every candidate, and has no rival
     each = [name.split(" + ") for name in found.equivalent]
     beside = [" + ".join(x for x in one if x not in named) for one in each if mine <= {*one}]
-    rest = {" + ".join(one): exact_twin(mine, {*one}) for one in each if not mine <= {*one}}
-    instead = [name for name, twin in rest.items() if not twin]
+    rest = [one for one in each if not mine <= {*one} and not exact_twin(mine, {*one})]
+    instead = [" + ".join(one) for one in rest]
     said = [f"besides it perhaps {', or '.join(filter(None, beside))}"] if any(beside) else []
     said += [f"or instead {', or '.join(instead)}"] if instead else []
     doubts = [f"{'; '.join(said)}: this recording cannot tell"] if said else []
-    twins = [f"{twin} would look exactly alike" for twin in rest.values() if twin]
-    return [one.replace("_", " ") for one in (*twins, *doubts)]
+    return [one.replace("_", " ") for one in doubts]
+
+
+def twins(found: Diagnosis) -> list[str]:
+    """The titles of what looks exactly like one of the causes in every recording."""
+    mine = set(found.selected) - {BIAS}
+    known = {name_of(term): term.title for term in library()}
+    each = [exact_twin(mine, {*name.split(" + ")}) for name in found.equivalent]
+    return [known[name] for name in each if name]
+
+
+def alike(found: Diagnosis) -> list[str]:
+    """What may act in the place of a cause, and no recording of motion tells."""
+    return [f"or {twin}, which would look exactly alike" for twin in twins(found)]
 
 
 def exact_twin(mine: set[str], other: set[str]) -> str | None:

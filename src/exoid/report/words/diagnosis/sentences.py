@@ -5,7 +5,7 @@ from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.answer.over_inertia import guessed
 from exoid.report.words.diagnosis.asserted import only_sensors, parted
 from exoid.report.words.diagnosis.cause import explanations, for_inertia, named, parameter
-from exoid.report.words.diagnosis.certainty import how_sure, suspected, trust
+from exoid.report.words.diagnosis.certainty import alike, how_sure, suspected, trust
 from exoid.report.words.diagnosis.leg import booked, doubted
 from exoid.report.words.diagnosis.located import located
 from exoid.report.words.diagnosis.remainder import remains
@@ -19,7 +19,7 @@ def sentences(found: Diagnosis) -> dict[str, str]:
     """
     lines = {}
     if found.verdict == "mismatch":
-        lines["Missing"] = "; ".join(named(found))
+        lines["Missing"] = "; ".join([*named(found), *alike(found)])
         lines["How sure"] = BY_SENSORS if only_sensors(found) else how_sure(found)
         lines["Changed"] = booked(found)
         lines["Remains"] = remains(found)

@@ -2,6 +2,7 @@
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.report.words.diagnosis.asserted import only_sensors
+from exoid.report.words.diagnosis.certainty import twins
 from exoid.report.words.diagnosis.remainder import share_left
 
 LITTLE = 0.03  # share of what was missing that is worth no word
@@ -26,7 +27,7 @@ def verdict(found: Diagnosis) -> str:
     """What is missing by its name, where it has one; else the headline."""
     if found.verdict != "mismatch" or found.novel or only_sensors(found) or not found.selected:
         return headline(found)
-    return "Missing: " + " and ".join(titles(found))
+    return ", or ".join(["Missing: " + " and ".join(titles(found)), *twins(found)])
 
 
 def titles(found: Diagnosis) -> list[str]:
