@@ -1,11 +1,10 @@
-"""What takes long shows that it lives: on a terminal, and in the lines of a log."""
+"""What takes long says so on a terminal alone."""
 
 import time
 
-from exoid.cli.terminal import progress as module
-from exoid.cli.terminal.waiting import in_long_phases, in_phases
+from exoid.cli.terminal import waiting
 
-STEP = 0.01  # s, shorter than anybody would wait
+STEP = 0.2  # s, longer than a spinner stands still
 
 
 def work(told):
@@ -15,14 +14,16 @@ def work(told):
     return "found"
 
 
-def test_phases_of_a_long_work_are_lines_of_a_log(capsys, monkeypatch):
-    monkeypatch.setattr(module, "SHORT", 0.0)
-    assert in_long_phases(work) == "found"
-    said = capsys.readouterr().err.splitlines()
-    assert [line for line in said if "starting" not in line][-1] == "exoid: testing 26 candidates"
-    assert "exoid: fitting" in said
-
-
-def test_what_is_soon_done_says_nothing(capsys):
-    assert (in_long_phases(work), in_phases(work)) == ("found", "found")
+def test_without_a_terminal_nothing_is_said(capsys, monkeypatch):
+    monkeypatch.setattr(waiting, "SLOW", 0.0)
+    assert waiting.in_phases(work) == "found"
     assert capsys.readouterr().err == ""
+
+
+def test_on_a_terminal_the_phase_and_its_time_are_shown(capsys, monkeypatch):
+    monkeypatch.setattr(waiting, "SLOW", 0.0)
+    monkeypatch.setattr(waiting, "TICK", STEP / 5)
+    monkeypatch.setattr(waiting.sys.stderr, "isatty", lambda: True)
+    monkeypatch.setenv("TERM", "xterm")
+    assert waiting.in_phases(work) == "found"
+    assert "(0 s)" in capsys.readouterr().err

@@ -27,7 +27,7 @@ from exoid.cli.outputs.page import planned, sources_of, write_report
 from exoid.cli.outputs.results import introduce, keep, show, traced
 from exoid.cli.outputs.written import Outputs
 from exoid.cli.terminal.say import say
-from exoid.cli.terminal.waiting import in_long_phases
+from exoid.cli.terminal.waiting import in_phases
 
 
 def diagnose(
@@ -86,7 +86,7 @@ def diagnose(
     from exoid.report.document.diagnosis_json import diagnosis_document
     from exoid.report.tables.diagnosis import print_diagnosis
 
-    found = in_long_phases(lambda told: diagnosed(named, own, options, told))
+    found = in_phases(lambda told: diagnosed(named, own, options, told))
     introduce(named)
     show(lambda console: print_diagnosis(found, console))
     limits = None if bounds == "body" else bounds

@@ -17,7 +17,7 @@ from exoid.cli.outputs.page import planned, sources_of, write_report
 from exoid.cli.outputs.saved_page import retell
 from exoid.cli.outputs.written import Outputs
 from exoid.cli.terminal.say import say
-from exoid.cli.terminal.waiting import in_long_phases
+from exoid.cli.terminal.waiting import in_phases
 
 STARTS = 64
 
@@ -96,7 +96,7 @@ def report(
     named, taken = take_all(paths, body, **told)
     options = {"multistart": multistart, "seed": seed, **by_hand}
     tested = own if diagnosis else None
-    result, found = in_long_phases(lambda told: analysed(named, options, tested, told))
+    result, found = in_phases(lambda told: analysed(named, options, tested, told))
     script = Path(terms) if terms is not None else None
     settings = {**options, "terms": terms, "diagnosis": diagnosis, **body, "signal": signal}
     settings |= {"dbc": dbc and str(dbc), **as_told(flip, zero), "column": column}

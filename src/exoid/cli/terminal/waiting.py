@@ -6,7 +6,7 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, wait
 from typing import TypeVar
 
-from exoid.cli.terminal.progress import Log, lasting
+from exoid.cli.terminal.progress import lasting
 from exoid.files.visible import visible
 
 SLOW = 2.0  # s, after which a person wants to see that something happens
@@ -43,11 +43,3 @@ def in_phases(task: Callable[[Callable[[str], None]], Result], what: str = "star
                 shown.update(Text(visible(f"{phase[0]} ({spent})")))
                 wait([running], TICK)
     return running.result()
-
-
-def in_long_phases(task: Callable[[Callable[[str], None]], Result]) -> Result:
-    """The same of what takes a minute or more: without a terminal, phases are lines of a log."""
-    if sys.stderr.isatty():
-        return in_phases(task)
-    with Log() as log:
-        return in_phases(lambda told: task(lambda phase: log.hear(phase, 0, 1)))
