@@ -14,6 +14,7 @@ from exoid.fitting.model.coordinates import (
     places,
     with_inertia,
 )
+from exoid.fitting.multistart.pulled_by_declared import led_astray
 from exoid.fitting.multistart.search_result import SAME_LOSS, SearchResult
 from exoid.fitting.result.agreement import astray, believed, of_the_rest
 from exoid.fitting.result.equally_good import equally_good
@@ -71,7 +72,7 @@ def describe(
     leaning = leans(problem, ended)
     at_bound = {name for name, hold in zip(problem.constraints, leaning, strict=True) if hold}
     basis = Basis(problem, ended, information_at(problem, ended, leaning))
-    ratios = estimate_ratios(basis, at_bound)
+    ratios = with_step(estimate_ratios(basis, at_bound), led_astray(problem, ended))
     parameters = estimate_leg(basis, ratios, at_bound)
     inertia = parameters["inertia"]
 
@@ -114,6 +115,21 @@ def describe(
     said = notes(told, basis, at_bound, slack)
     moment = estimate_moment(basis, told.ratios["gravity_over_inertia"], told.parameters["inertia"])
     return replace(told, ratios=with_slack(told.ratios, slack), gravity_moment=moment, notes=said)
+
+
+def with_step(ratios: dict[str, Estimate], steps: dict[str, float]) -> dict[str, Estimate]:
+    """The ratios, their errors with how far they are led astray."""
+    return {name: stepped(each, steps.get(name, 0.0)) for name, each in ratios.items()}
+
+
+def stepped(each: Estimate, step: float) -> Estimate:
+    """With this error more; where there is none, there is none to widen."""
+    if not each.standard_error or not step:
+        return each
+    error = float(np.hypot(each.standard_error, step))
+    kept = (each.standard_error / error) ** 2
+    shares = {name: kept * share for name, share in (each.limited_by or {}).items()}
+    return replace(each, standard_error=error, limited_by=shares)
 
 
 def with_slack(ratios: dict[str, Estimate], found: Leaning | None) -> dict[str, Estimate]:
