@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.files.text_file import Notes
+from exoid.recordings.conventions.left_out.held_late import Beat, beat_of, on_time
 from exoid.recordings.recording import Recording, Segment
 from exoid.recordings.samples import Samples, quantile, usual_step
 
@@ -35,6 +36,7 @@ class Held:
 
     often: int  # times that one stands in a row
     repeats: list[Mask]  # of every segment, which samples only say again what was said
+    beats: list[Beat | None]  # how its values come, where that is not at every so many samples
 
 
 def without_held(recording: Recording) -> tuple[Recording, Notes]:
@@ -46,7 +48,10 @@ def without_held(recording: Recording) -> tuple[Recording, Notes]:
     if not found:
         return recording, ()
     segments = [
-        said_once(segment, {name: held.repeats[number] for name, held in found.items()})
+        said_once(
+            moved_on(segment, number, found),
+            {name: held.repeats[number] for name, held in found.items()},
+        )
         for number, segment in enumerate(recording.segments)
     ]
     return replace(recording, segments=tuple(segments)), tuple(map(told, found, found.values()))
@@ -67,7 +72,20 @@ def held_in(recording: Recording, name: str) -> Held | None:
     least, often = np.floor(lengths.mean()), int(np.ceil(lengths.mean()))
     if np.mean((lengths == least) | (lengths == least + 1)) < REGULAR:
         return None
-    return Held(often, [repeated(*each, often) for each in zip(starts, moves, strict=True)])
+    each = list(zip(starts, moves, strict=True))
+    beats = [beat_of(time, *own) for (time, _), own in zip(found, each, strict=True)]
+    return Held(often, [repeated(*own, often) for own in each], beats)
+
+
+def moved_on(segment: Segment, number: int, found: dict[str, Held]) -> Segment:
+    """The segment, its values as they were at the times at which they stand first."""
+    channels = segment.channels()
+    changed = {
+        name: on_time(segment.time, channels[name], ~held.repeats[number], own)
+        for name, held in found.items()
+        if (own := held.beats[number]) is not None
+    }
+    return replace(segment, **changed)
 
 
 def sensor_step(signals: list[Samples]) -> float | None:
@@ -123,8 +141,11 @@ def said_once(segment: Segment, repeats: dict[str, Mask]) -> Segment:
 
 
 def told(name: str, held: Held) -> str:
+    rates = [1 / each.period for each in held.beats if each is not None]
+    come = f"come at {np.median(rates):.3g} Hz and " if rates else ""
+    late = ", and brought there from when it was measured" if rates else ""
     return (
-        f"values of the {NAMES[name]} stand {held.often} times in a row, as where a logger is "
-        "faster than its sensor: each is taken once, where it stands first. Record every sample "
-        "once, by the sensor's own clock."
+        f"values of the {NAMES[name]} {come}stand {held.often} times in a row, as where a logger "
+        f"is faster than its sensor: each is taken once, where it stands first{late}. Record every "
+        "sample once, by the sensor's own clock."
     )
