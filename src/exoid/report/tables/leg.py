@@ -28,11 +28,12 @@ SHORTEST_NAME = 16  # that still tells the segments of two recordings apart
 def parameters(known: dict[str, Estimate]) -> Table:
     """(m, J, l, d, c) with what was expected, what was allowed and who decided."""
     each = list(known.values())
-    named = [f"{name} {one.symbol}" for name, one in known.items()]
+    short = [name.removesuffix("_moment") for name in known]  # m l g says what it is
+    named = [f"{name} {one.symbol}" for name, one in zip(short, each, strict=True)]
     expected, allowed = [expectation(one) for one in each], [bounds(one) for one in each]
     said = [in_words(name) for name in known]
     columns = {
-        "parameter": Column(named, on_page=said, spare=1, brief=list(known)),
+        "parameter": Column(named, on_page=said, spare=1, brief=short),
         "symbol": Column([one.symbol for one in each], symbols=True, only="page"),
         "value": quantities_of(each),
         "expected": Column(expected, on_page=behind(expected, each)),
