@@ -5,7 +5,7 @@ import pytest
 from scipy.signal import butter, filtfilt
 
 from exoid.recordings.signal.neighbours import interpolation_errors
-from exoid.recordings.signal.noise import noise_of
+from exoid.recordings.signal.noise import OF_ANGLE, OF_RATE, noise_of
 from exoid.recordings.signal.scatter import quantum
 from exoid.recordings.signal.spikes import find_spikes
 
@@ -41,7 +41,7 @@ def test_few_samples_tell_the_noise_roughly_and_are_not_called_smoothed(samples)
     for seed in range(20):
         time, angle = sampled(100, NOISE, seed, duration=samples / 100)
         angle = np.round(angle, 6)
-        each = noise_of([time], [angle], None, angle=True)
+        each = noise_of([time], [angle], None, swing=OF_ANGLE)
         assert NOISE / 5 < each.level < 5 * NOISE
         found.append(each.level)
         assert each.alike_over == 0
@@ -61,15 +61,44 @@ def test_a_smoothed_angle_counts_with_the_noise_it_had_before(rate, cutoff):
     """As motion capture is exported: Butterworth, forwards and backwards."""
     time, angle = sampled(rate, np.radians(0.3), duration=12.0)
     smooth = filtfilt(*butter(2, cutoff / (rate / 2)), angle)
-    found = noise_of([time], [smooth], None, angle=True)
+    found = noise_of([time], [smooth], None, swing=OF_ANGLE)
     assert 0.4 < np.degrees(found.level) / 0.3 < 2.5
     assert 0.04 < found.alike_over < 0.11
+
+
+def turning(rate, noise, duration):
+    """A gyro beside it [rad/s], about its middle."""
+    time, _ = sampled(rate, 0.0, duration=duration)
+    slope = np.gradient(swing(np.arange(0, duration, 1e-4)), 1e-4)
+    clean = np.interp(time, np.arange(0, duration, 1e-4), slope)
+    return time, clean + noise * np.random.default_rng(5).normal(size=time.size)
+
+
+@pytest.mark.parametrize(("rate", "cutoff"), [(100, 6), (120, 6), (200, 6), (250, 8)])
+def test_a_smoothed_gyro_counts_with_about_the_noise_it_had_before(rate, cutoff):
+    """A rate swings more than an angle: it hides the widest stretches over which errors are alike.
+    By neighbours alone the noise would be a thousandth of what it was.
+    """
+    time, gyro = turning(rate, np.radians(0.5), duration=12.0)
+    smooth = filtfilt(*butter(2, cutoff / (rate / 2)), gyro)
+    found = noise_of([time], [smooth], None, swing=OF_RATE)
+    assert 0.15 < np.degrees(found.level) / 0.5 < 2.5
+    assert 0.035 < found.alike_over < 0.11
+
+
+@pytest.mark.parametrize("rate", [30, 60, 100, 240, 1000])
+@pytest.mark.parametrize("noise", [0.05, 1.0])  # deg/s
+def test_a_gyro_that_nobody_smoothed_is_not_called_so(rate, noise):
+    time, gyro = turning(rate, np.radians(noise), duration=3.0)
+    found = noise_of([time], [gyro], None, swing=OF_RATE)
+    assert found.alike_over == 0
+    assert np.degrees(found.level) == pytest.approx(noise, rel=0.3)
 
 
 def test_an_interpolated_angle_counts_with_the_noise_it_had_before():
     time, angle = sampled(30, np.radians(0.3), duration=12.0)
     dense = np.arange(0, time[-1], 0.01)
-    found = noise_of([dense], [np.interp(dense, time, angle)], None, angle=True)
+    found = noise_of([dense], [np.interp(dense, time, angle)], None, swing=OF_ANGLE)
     # 100 samples a second with this noise tell as much as 30 with 0.3 deg
     assert 0.5 < np.degrees(found.level) / (0.3 * np.sqrt(100 / 30)) < 2.5
 
@@ -79,7 +108,7 @@ def test_an_angle_whose_gyro_is_faster_is_not_called_smoothed(rate, every):
     """Cells between its samples are empty: 240 samples tell a deviation to 5 %."""
     time, angle = sampled(rate, NOISE)
     angle[np.arange(angle.size) % every != 0] = np.nan
-    found = noise_of([time], [angle], None, angle=True)
+    found = noise_of([time], [angle], None, swing=OF_ANGLE)
     assert found.level == pytest.approx(NOISE, rel=0.15)
     assert found.alike_over == 0
 
@@ -89,7 +118,7 @@ def test_an_angle_whose_gyro_is_faster_is_not_called_smoothed(rate, every):
 def test_neighbours_that_share_nothing_are_not_called_smoothed(rate, degrees):
     """Not for a fast swing without a rest either."""
     time, angle = sampled(rate, np.radians(degrees), duration=3.0)
-    found = noise_of([time], [angle], None, angle=True)
+    found = noise_of([time], [angle], None, swing=OF_ANGLE)
     assert found.alike_over == 0
     assert np.degrees(found.level) == pytest.approx(degrees, rel=0.3)
 

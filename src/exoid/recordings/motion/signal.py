@@ -12,7 +12,7 @@ from exoid.recordings.recording import Segment, Sensors
 from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples, block_means, block_size, usual_step
 from exoid.recordings.signal.local_line import local_line
-from exoid.recordings.signal.noise import declared_angle_noise, noise_of
+from exoid.recordings.signal.noise import OF_ANGLE, OF_RATE, declared_angle_noise, noise_of
 from exoid.recordings.signal.spikes import spikes_of
 
 
@@ -98,10 +98,10 @@ def signal_of(segment: Segment, sensors: Sensors) -> Signal:
     rate = "raw_angular_velocity" if raw else "angular_velocity"
     declared = declared_angle_noise(sensors, [segment.best_angle])
     of_angle = "angle" if segment.raw_angle is None else "raw_angle"
-    angle, noise = credible(segment, of_angle, declared, angle=True)
+    angle, noise = credible(segment, of_angle, declared, swing=OF_ANGLE)
     if getattr(segment, rate) is None:
         return Signal(segment.time, angle, noise, None, np.inf)
-    velocity, scatter = credible(segment, rate, sensors.velocity_noise, angle=False)
+    velocity, scatter = credible(segment, rate, sensors.velocity_noise, swing=OF_RATE)
     return Signal(
         segment.time, angle, noise, velocity - bias(segment.time, angle, velocity), scatter
     )
@@ -114,12 +114,12 @@ def bias(time: Samples, angle: Samples, velocity: Samples) -> float:
 
 
 def credible(
-    segment: Segment, channel: str, declared: float | None, *, angle: bool
+    segment: Segment, channel: str, declared: float | None, *, swing: float
 ) -> tuple[Samples, float]:
     """The samples without spikes, and their noise."""
     samples, spikes = getattr(segment, channel), spikes_of(segment, channel, declared or 0.0)
     kept = np.where(spikes, np.nan, samples) if spikes.any() else samples
-    return kept, noise_of([segment.time], [kept], declared, angle=angle).level
+    return kept, noise_of([segment.time], [kept], declared, swing=swing).level
 
 
 @remembered  # every step of the search asks for it

@@ -10,7 +10,13 @@ from exoid.recordings.recording import Recording, Segment
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.both_sensors.gyro_drift import gyro_drift
 from exoid.recordings.signal.both_sensors.play import find_play
-from exoid.recordings.signal.noise import Noise, declared_angle_noise, noise_of
+from exoid.recordings.signal.noise import (
+    OF_ANGLE,
+    OF_RATE,
+    Noise,
+    declared_angle_noise,
+    noise_of,
+)
 from exoid.recordings.signal.spikes import spikes_of
 from exoid.recordings.signal.tone import find_tone, without_tone
 from exoid.recordings.signal.turns import coarse
@@ -78,13 +84,13 @@ def clean_channel(
         for spike, signal in zip(spikes, signals, strict=True)
     ]
     count = int(sum(each.sum() for each in spikes))
-    angle = name in ("raw_angle", "angle")
-    noise = noise_of(times, kept, declared, angle=angle)
+    swing = OF_ANGLE if name in ("raw_angle", "angle") else OF_RATE
+    noise = noise_of(times, kept, declared, swing=swing)
     white = noise_of(times, kept, declared) if noise.alike_over else noise
     tone = find_tone(times, kept, white.level)
     if tone is not None:
         kept = [without_tone(*each, tone) for each in zip(times, kept, strict=True)]
-        noise = noise_of(times, kept, declared, angle=angle)
+        noise = noise_of(times, kept, declared, swing=swing)
     return with_channel(recording, name, kept), replace(noise, spikes=count, tone=tone)
 
 

@@ -17,6 +17,7 @@ SHARED = 2.0  # times white noise and motion, that wider neighbourhoods must sho
 CLOSE, WIDEST = 0.051, 0.1  # s between neighbours: where smoothing shows at last, and motion does
 STRIDES = 60  # neighbourhoods that are tried at most
 SWING, QUICK = 0.2, 8.0  # rad, rad/s: how much, and how fast, a leg swings most of the time
+OF_ANGLE, OF_RATE = SWING, SWING * QUICK  # rad, rad/s: how much the signal of a sensor swings then
 TELLING = 20_000  # samples of all segments, which tell a scatter to 0.6 %
 HINTING, HINT = 500, 0.7  # samples that tell it to 4 %, and the share of the limit to look closer
 QUIET = np.radians(0.003)  # of an angle: less than encoders and cameras on a leg scatter
@@ -40,7 +41,7 @@ class Noise:
     tone: Tone | None = None  # taken out
     drift: float | None = None  # of a gyro's zero, root mean square; taken out
     play: Play | None = None  # between a leg and its encoder; taken out
-    alike_over: float = 0.0  # s over which errors are alike, of an angle that was smoothed
+    alike_over: float = 0.0  # s over which errors are alike, where it was smoothed
 
     @property
     def contradicted(self) -> bool:
@@ -83,13 +84,18 @@ def declared_angle_noise(sensors: Sensors, signals: list[Samples]) -> float | No
 
 
 def noise_of(
-    times: list[Samples], signals: list[Samples], declared: float | None, *, angle: bool = False
+    times: list[Samples],
+    signals: list[Samples],
+    declared: float | None,
+    *,
+    swing: float | None = None,
 ) -> Noise:
     """The noise of one channel from all its segments, beside what is `declared`.
 
     A sample is compared with the quintic through its neighbours, which sees white noise whatever
-    the leg does. Errors beyond five robust deviations do not count: see `spikes`. An `angle`
-    that was smoothed or interpolated has errors that neighbours share: see `smoothed`.
+    the leg does. Errors beyond five robust deviations do not count: see `spikes`. What was smoothed
+    or interpolated has errors that neighbours share: see `smoothed`, which is asked where it is
+    told how far the signal of a leg may `swing` (`OF_ANGLE`, `OF_RATE`).
     """
     known = [known_of(*each) for each in zip(times, signals, strict=True)]
     errors = np.concatenate([each.errors()[1] for each in known])
@@ -101,8 +107,8 @@ def noise_of(
     inside = errors[np.abs(errors) <= FAR * robust]
     measured = max(float(np.sqrt(np.mean(inside**2))), step, NONE)
     heaviness, width = measured / robust, 0.0
-    if angle:
-        measured, width = smoothed(known, known_step(known), measured)
+    if swing is not None:
+        measured, width = smoothed(known, known_step(known), measured, swing)
     level = measured if declared is None or measured > MORE * declared else declared
     return Noise(level, measured, declared, heaviness, samples=errors.size, alike_over=width)
 
@@ -121,8 +127,8 @@ def of_few(errors: Samples) -> float:
     return float(np.sqrt(np.mean(errors**2))) * (1 + 1 / np.sqrt(2 * errors.size))
 
 
-def smoothed(known: list[Known], step: float, white: float) -> tuple[float, float]:
-    """The noise that an angle had before it was smoothed, and over how many seconds [s] its errors
+def smoothed(known: list[Known], step: float, white: float, swing: float) -> tuple[float, float]:
+    """The noise that a signal had before it was smoothed, and over how many seconds [s] its errors
     are alike now; `white` and 0 where neighbours share nothing. `step` is between known samples.
 
     White noise shows the same beside neighbours far and near, smoothed noise ever more. As many
@@ -137,7 +143,7 @@ def smoothed(known: list[Known], step: float, white: float) -> tuple[float, floa
         return robust_deviation(found) if found.size >= 2 * FEWEST else np.nan
 
     def shared(stride: int) -> float:
-        bend = SWING * (2 * np.sin(QUICK * stride * step / 2)) ** 6 / 20
+        bend = swing * (2 * np.sin(QUICK * stride * step / 2)) ** 6 / 20
         return SHARED * float(np.hypot(white, bend))
 
     level, width, most = white, 0.0, max(TELLING, FEWEST * len(known))
