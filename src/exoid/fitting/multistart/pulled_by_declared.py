@@ -21,10 +21,19 @@ from exoid.fitting.solve.problem import Problem
 
 
 def led_astray(problem: Problem, ended: SearchResult) -> dict[str, float]:
-    """How far that step takes every quantity; none where nothing is missed."""
+    """How far every quantity may be led astray: by that step, and where a seat that nobody declared
+    so is taken for tilted, by how far off the leg is on a level one.
+    """
+    each = [steps(problem, ended)] if ended.disturbance.cause is not None else []
+    if ended.level is not None:
+        each.append(ended.best.quantities[0] - ended.level)
+    far = np.linalg.norm(each, axis=0) if each else np.zeros(len(problem.quantities))
+    return dict(zip(problem.quantities, far, strict=True))
+
+
+def steps(problem: Problem, ended: SearchResult) -> np.ndarray:
+    """How far that step takes every quantity."""
     found, local, prior = ended.disturbance, ended.local, problem.belief.prior
-    if found.cause is None:
-        return {}
     causes = found.causes(problem.kinds)
     every = grams_at(problem, ended.best, 0, set(causes))
     curvature = local.prior + VAGUE * np.eye(len(local.prior))
@@ -35,8 +44,7 @@ def led_astray(problem: Problem, ended: SearchResult) -> dict[str, float]:
         known = weighed(gram, found.kinds[kind])
         curvature[np.ix_(gram.place, gram.place)] += known[:-1, :-1]
         slope[gram.place] += known[:-1, -1]
-    step = np.abs(local.quantities @ np.linalg.solve(curvature, slope))
-    return dict(zip(problem.quantities, step, strict=True))
+    return local.quantities @ np.linalg.solve(curvature, slope)
 
 
 def weighed(gram: Gram, missed: Missed) -> np.ndarray:

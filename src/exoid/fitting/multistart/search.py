@@ -48,7 +48,9 @@ def search(
         gathered, member, failures = led_to_the_data(problem, begin, terms)
     free, member, failures = join_terms(without_scale(problem), gathered, member, failures)
     member, failures = without_lost(free, member, failures)
+    level, every = problem, free
     problem, free, disturbance = with_what_is_missed(problem, free)
+    on_level = None if problem is level else on_level_seats(level, every)
     free, disturbance, less = without_excuses(problem, free, disturbance)
     best = settle(held(problem, less, disturbance.scale), free, begin, disturbance)
     if problem.belief.by_hand.fix or problem.belief.by_hand.bound:
@@ -59,7 +61,8 @@ def search(
     if doubted is not None:
         problem = doubted  # the suspicion widens errors, and moves no value
         local = around(problem, best, disturbance)
-    return problem, SearchResult(free, member, failures, best, disturbance, begin, local)
+    ended = SearchResult(free, member, failures, best, disturbance, begin, local, on_level)
+    return problem, ended
 
 
 def led_to_the_data(
@@ -149,6 +152,14 @@ def with_what_is_missed(problem: Problem, free: Solved) -> tuple[Problem, Solved
         return problem, again, found
     row = lowest(tilted)
     return wide, *weighed_by_kind(wide, tilted, row, explained(wide, tilted, row))
+
+
+def on_level_seats(problem: Problem, free: Solved) -> np.ndarray:
+    """Every quantity of the best of the free fits on seats that are as level as is declared."""
+    row = lowest(free)
+    weighed, found = weighed_by_kind(problem, free, row, explained(problem, free, row))
+    level = without_excuses(problem, weighed, found)[0]
+    return level.quantities[lowest(level)]
 
 
 def weighed_by_kind(

@@ -29,6 +29,7 @@ class SearchResult:
     disturbance: Disturbance  # in the residual of the free fit
     starts: Coordinates
     local: Neighbourhood  # of `best`
+    level: np.ndarray | None = None  # every quantity on level seats, where `best` has tilted ones
 
     @cached_property
     def point(self) -> Coordinates:

@@ -115,8 +115,9 @@ def tilted(each: MountingFit, found: Disturbance) -> list[str]:
         ]
     return [
         f"the thigh seems to be tilted by {value:.2g} ± {error:.1g} deg beyond what is declared, "
-        "and the fit follows that: measure it, and give thigh_angle_deg. A spring that is slack at "
-        "another angle, or grows stiffer, looks alike: then m l g / J and c / J are others."
+        "and the fit follows that: measure it, and give thigh_angle_deg. A thigh that gives way a "
+        "little, or a spring that is slack at another angle or grows stiffer, looks alike: ± holds "
+        "what m l g / J and c / J are on a level seat."
     ]
 
 
