@@ -14,6 +14,7 @@ from exoid.fitting.model.coordinates import (
     places,
     with_inertia,
 )
+from exoid.fitting.multistart.at_odds import at_odds
 from exoid.fitting.multistart.pulled_by_declared import led_astray
 from exoid.fitting.multistart.search_result import SAME_LOSS, SearchResult
 from exoid.fitting.result.agreement import astray, believed, of_the_rest
@@ -72,7 +73,9 @@ def describe(
     leaning = leans(problem, ended)
     at_bound = {name for name, hold in zip(problem.constraints, leaning, strict=True) if hold}
     basis = Basis(problem, ended, information_at(problem, ended, leaning))
-    ratios = with_step(estimate_ratios(basis, at_bound), led_astray(problem, ended))
+    ratios = widened(
+        estimate_ratios(basis, at_bound), at_odds(problem, ended), led_astray(problem, ended)
+    )
     parameters = estimate_leg(basis, ratios, at_bound)
     inertia = parameters["inertia"]
 
@@ -117,16 +120,23 @@ def describe(
     return replace(told, ratios=with_slack(told.ratios, slack), gravity_moment=moment, notes=said)
 
 
-def with_step(ratios: dict[str, Estimate], steps: dict[str, float]) -> dict[str, Estimate]:
-    """The ratios, their errors with how far they are led astray."""
-    return {name: stepped(each, steps.get(name, 0.0)) for name, each in ratios.items()}
+def widened(
+    ratios: dict[str, Estimate], odds: dict[str, float], steps: dict[str, float]
+) -> dict[str, Estimate]:
+    """The ratios, their errors at least by how far parts are at odds, and by how far all of them
+    are led astray.
+    """
+    return {
+        name: stepped(each, odds.get(name, 0.0), steps.get(name, 0.0))
+        for name, each in ratios.items()
+    }
 
 
-def stepped(each: Estimate, step: float) -> Estimate:
-    """With this error more; where there is none, there is none to widen."""
-    if not each.standard_error or not step:
+def stepped(each: Estimate, least: float, step: float) -> Estimate:
+    """With this error at least, and a step more; where there is none, there is none to widen."""
+    if not each.standard_error:
         return each
-    error = float(np.hypot(each.standard_error, step))
+    error = float(np.hypot(max(each.standard_error, least), step))
     kept = (each.standard_error / error) ** 2
     shares = {name: kept * share for name, share in (each.limited_by or {}).items()}
     return replace(each, standard_error=error, limited_by=shares)
