@@ -14,7 +14,7 @@ from exoid.fitting.misfit.disturbance.likelihood import Likelihood
 from exoid.fitting.misfit.gram import CAUSES, UNIT, Cause, Grams
 from exoid.fitting.misfit.missed import Missed
 
-CORRELATED = (0.025, 0.05, 0.1, 0.2, 0.4, 0.8, 3.2, 12.8)  # s; the last: from drop to drop
+CORRELATED = (0.025, 0.05, 0.1, 0.2, 0.4, 0.8)  # s
 CLEAR = 4.0  # gain of log likelihood below which the noise alone explains the residual
 # Gain at a decade's grid from which on it is worth to look closer: that shows about half of what is
 # between its points, for however few or many nodes.

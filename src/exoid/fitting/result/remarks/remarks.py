@@ -237,8 +237,6 @@ def of_missed(
     over = f"varying within about {found.correlation_time:g} s"
     if found.correlation_time == CORRELATED[0]:
         over = "varying from moment to moment"
-    if found.correlation_time == CORRELATED[-1]:
-        over = "wandering slowly or differing from segment to segment"
     widened = f"Errors are widened for it; {INCOMPLETE}, and 'exoid diagnose' asks what it misses."
     if found.cause == "torque":
         each = [f"{100 * found.deviation / abs(gravity):.2g} % of m l g"] if gravity else []
