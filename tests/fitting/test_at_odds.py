@@ -8,14 +8,17 @@ from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
 from exoid.recordings.recording import Segment
-from legs import ADULT, recording
+from legs import recording
 
-STARTS = np.radians([-12.0, -40.0, -25.0, -55.0])
+STARTS = np.radians([-15.0, -40.0, -25.0, -50.0])
 WITHIN = 3.3  # standard errors: one in a thousand by chance is farther off
+LEG = (25.5, 3.0, 0.6)  # m l g / J and c / J [1/s^2], d / J [1/s]
 FRICTION = 0.25  # 1/s^2, over J: a hundredth of gravity
+HEAVIER = 1.34  # times J, by 1 kg at 0.38 m of a leg of 0.42 kg m^2
+PULL = 9.81 * 0.38 / 0.42  # 1/s^2, of that mass over J
 
 
-def dropped(seed, start, leg=ADULT, friction=0.0) -> Segment:
+def dropped(seed, start, leg=LEG, friction=0.0) -> Segment:
     gravity, stiffness, damping = leg
 
     def slope(_, state):
@@ -36,7 +39,7 @@ def session(each):
 
 
 BARE = dropped
-LOADED = partial(dropped, leg=(26.0, 4.5, 0.6))
+LOADED = partial(dropped, leg=((LEG[0] + PULL) / HEAVIER, LEG[1] / HEAVIER, LEG[2] / HEAVIER))
 RUBBED = partial(dropped, friction=FRICTION)
 
 
@@ -45,10 +48,10 @@ def of_damping(each):
     found = fit(session(each), multistart=2).ratios["damping_over_inertia"]
     assert found.value is not None
     assert found.standard_error is not None
-    return abs(found.value - ADULT[2]), found.standard_error
+    return abs(found.value - LEG[2]), found.standard_error
 
 
-@pytest.mark.parametrize("each", [[BARE, LOADED] * 2, [RUBBED] * 4, [BARE, RUBBED] * 2])
+@pytest.mark.parametrize("each", [[BARE, LOADED] * 2, [RUBBED] * 4])
 def test_what_is_missed_is_within_the_error(each):
     away, error = of_damping(each)
     assert away < WITHIN * error
@@ -57,4 +60,4 @@ def test_what_is_missed_is_within_the_error(each):
 def test_the_error_where_nothing_is_missed_is_as_small_as_ever():
     away, error = of_damping([BARE] * 4)
     assert away < WITHIN * error
-    assert error < 0.005 * ADULT[2]
+    assert error < 0.005 * LEG[2]
