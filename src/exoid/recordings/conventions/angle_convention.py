@@ -137,7 +137,9 @@ def mended(wrong: list[Swing], same: bool) -> str:
     flip = "all" if same else "angle"
     options = {
         "flip": f'say flip="{flip}"',
-        "hanging": 'say zero="hanging", or zero="unknown" where the leg\'s own rest was called 0',
+        "hanging": 'say zero="hanging", or zero="unknown" where the leg\'s own rest was called 0, '
+        "or angle_zero_deg in [sensors] of the sidecar, which is what an encoder that passes 0 or "
+        "360 deg shows with the knee extended",
         "both": f'say flip="{flip}" and zero="hanging"',
         "straight": "say angle_zero_deg = 180 in [sensors] of the sidecar",
     }

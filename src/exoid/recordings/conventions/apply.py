@@ -20,6 +20,7 @@ from exoid.recordings.conventions.file_clock import (
 from exoid.recordings.conventions.gyro_agreement import dead_gyro, wrong_sign, wrong_unit
 from exoid.recordings.conventions.left_out.gyro_limit import without_saturated
 from exoid.recordings.conventions.left_out.held_values import without_held
+from exoid.recordings.conventions.left_out.interpolated import without_interpolated
 from exoid.recordings.conventions.left_out.lost_samples import without_lost_samples
 from exoid.recordings.conventions.mounting import settled, turned
 from exoid.recordings.conventions.other_leg import another_leg
@@ -48,10 +49,11 @@ def understand(
     refuse(wrong_clock(recording))
     recording = from_first_sample(recording)
     recording, held = (recording, ()) if whole else without_held(recording)
+    recording, drawn = (recording, ()) if whole else without_interpolated(recording)
     recording, batched = (recording, ()) if whole else unbatched(recording)
     recording, notes = turned(told(recording, flip, zero))
     refuse(tiny(recording) or dead_gyro(recording) or wrong_unit(recording))
-    notes = (*unlike_rate(recording), *held, *batched, *notes)
+    notes = (*unlike_rate(recording), *held, *drawn, *batched, *notes)
     if not whole:
         recording, lost = without_lost_samples(recording)
         recording, saturated = without_saturated(recording)
