@@ -44,15 +44,15 @@ def made_in(recording: Recording, name: str) -> tuple[list[Mask], int] | None:
         off_line(each.time, own) / step
         for each, own in zip(recording.segments, signals, strict=True)
     ]
-    bent = [each > ON_LINE for each in apart]
-    lengths = np.concatenate([np.diff(np.flatnonzero(each)) for each in bent])
+    inner = [each[np.isfinite(each)] for each in apart]
+    lengths = np.concatenate([np.diff(np.flatnonzero(each > ON_LINE)) for each in inner])
     if lengths.size < FEWEST:
         return None
-    often = int(np.bincount(lengths).argmax())
-    sizes = np.concatenate([each[own] for each, own in zip(apart, bent, strict=True)])
-    if often < 2 or np.mean(lengths == often) < REGULAR or np.median(sizes) < BENT:
+    often, sizes = int(np.bincount(lengths).argmax()), np.concatenate(inner)
+    sharp = np.median(sizes[sizes > ON_LINE]) > BENT
+    if often < 2 or np.mean(lengths == often) < REGULAR or not sharp:
         return None
-    return [~each for each in bent], often
+    return [~(each > ON_LINE) for each in apart], often
 
 
 def written_step(signals: list[Samples]) -> float:
@@ -62,11 +62,15 @@ def written_step(signals: list[Samples]) -> float:
 
 
 def off_line(time: Samples, samples: Samples) -> Samples:
-    """How far every sample is from the line between its neighbours; the ends are on none."""
-    off = np.full(samples.size, np.inf)
-    before, after = np.diff(time)[:-1], np.diff(time)[1:]
-    line = (samples[:-2] * after + samples[2:] * before) / (before + after)
-    off[1:-1] = np.abs(samples[1:-1] - line)
+    """How far every sample is from the line between its neighbours that are known; the first and
+    the last are on none.
+    """
+    known = np.flatnonzero(~np.isnan(samples))
+    at, seen = time[known], samples[known]
+    before, after = at[1:-1] - at[:-2], at[2:] - at[1:-1]
+    line = (seen[:-2] * after + seen[2:] * before) / (before + after)
+    off = np.where(np.isnan(samples), np.nan, np.inf)
+    off[known[1:-1]] = np.abs(seen[1:-1] - line)
     return off
 
 
