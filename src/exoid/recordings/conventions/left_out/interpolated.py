@@ -40,6 +40,8 @@ def made_in(recording: Recording, name: str) -> tuple[list[Mask], int] | None:
     if any(each is None for each in signals):
         return None
     step = written_step(signals)
+    if step == np.inf:  # a signal that stays at one value
+        return None
     apart = [
         off_line(each.time, own) / step
         for each, own in zip(recording.segments, signals, strict=True)
