@@ -9,7 +9,7 @@ from exoid.recordings.motion.signal import signal_of, smoothed, speed_of
 from exoid.recordings.motion.thresholds import ABOVE, CLEAR, MINOR, SWINGS, TRAVEL
 from exoid.recordings.recording import Kind, Segment, Sensors
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import RINGING, classify, cut, reversals
+from exoid.recordings.signal.condition import RINGING, classify, cut, reversals, swings_out
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,10 @@ def find_pieces(log: Segment, sensors: Sensors, told: Kind | tuple | None) -> li
 
 
 def piece(log: Segment, smooth: Samples, part: slice, told: Kind | tuple | None) -> Piece:
-    """What a movement is, by where it ends and whether it rises above where it began."""
+    """What a movement is, by where it ends and whether it rises above where it began.
+
+    A leg that swung out was free, however far the hand that takes it in its swings lifts it then.
+    """
     kind, angle = classify(cut(log, part)), smooth[part]
     name = {"passive": "a drop", "active": "a movement to and fro", None: "a lift"}[kind]
     if kind is None and rings(angle):
@@ -47,7 +50,7 @@ def piece(log: Segment, smooth: Samples, part: slice, told: Kind | tuple | None)
     above = float(angle.max() - angle[0]) > ABOVE * float(np.ptp(angle))
     if kind == "active" and above:
         kind, name = None, "shaking"
-    if name == "a drop" and above:
+    if name == "a drop" and above and not swings_out(log.time[part], angle):
         kind, name = None, "a push"
     if told in ("passive", "active") and kind != told:
         kind = None

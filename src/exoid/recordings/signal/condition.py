@@ -105,17 +105,17 @@ def reversals(angle: Samples, least: float) -> list[int]:
 
 
 def classify(segment: Segment) -> Kind | None:
-    """Back at its start: a voluntary cycle, or a drop with the lift after it; ended lower: a
-    passive drop; a lift or still: None.
+    """Swung out, whatever lifts the leg after that, or ended lower: a passive drop; back at its
+    start: a voluntary cycle; a lift or still: None.
     """
     measured = segment.best_angle if segment.angle is None else segment.angle
     angle = interpolated(segment.time, measured)
     if np.ptp(angle) == 0:
         return None
     rise = (angle[-1] - angle[0]) / np.ptp(angle)
-    if abs(rise) < NEAR:
-        return "passive" if swings_out(segment.time, angle) else "active"
-    return "passive" if rise < 0 else None
+    if rise <= -NEAR or swings_out(segment.time, angle):
+        return "passive"
+    return "active" if rise < NEAR else None
 
 
 def swings_out(time: Samples, angle: Samples) -> bool:
