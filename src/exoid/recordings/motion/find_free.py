@@ -1,5 +1,7 @@
 """Where the movement of a segment begins and ends: one answer for everyone who asks."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from exoid.recordings.motion.acceleration import Law
@@ -14,9 +16,13 @@ from exoid.recordings.motion.thresholds import (
     HELD,
     HOLD,
     MARKED,
+    MINOR,
     ODD,
     ODDS,
     REST,
+    SINCE,
+    SWAY,
+    SWAYING,
     TRAVEL,
 )
 from exoid.recordings.remembered import remembered
@@ -34,7 +40,7 @@ def find_free(
     """
     speed = speed_of(signal)
     first, _ = first_movement(signal, speed)
-    found = released(signal, speed, first)
+    found = released(signal, speed, fallen_since(signal, speed, first))
     gone = 0 if found is None else int(np.searchsorted(signal.time, found.gone))
     held = None if found is None or found.release - signal.time[0] < shortest else found
     start, free = (0, 0) if held is None else (nearest(signal.time, held.release), gone)
@@ -51,8 +57,9 @@ def first_movement(signal: Signal, speed: Speed) -> tuple[int, int]:
 
     **Raises** `Motionless`.
     """
-    _, noise = smoothed(signal, speed.width)
-    return first_beyond(speed, signal.samples, max(TRAVEL, CLEAR * noise))
+    smooth, noise = smoothed(signal, speed.width)
+    sway = min(SWAY, MINOR * float(np.ptp(smooth)))
+    return first_beyond(speed, signal.samples, max(TRAVEL, CLEAR * noise, sway))
 
 
 @remembered  # the same where the noise of the same samples is another
@@ -77,6 +84,22 @@ def departure(smooth: Samples, speed: Speed, first: int, least: float) -> int:
     ahead = np.sign(smooth[there] - smooth[first]) * speed.velocity[first : there + 1]
     back = np.flatnonzero(ahead < speed.still)
     return first + int(back[-1]) + 1 if back.size else first
+
+
+def fallen_since(signal: Signal, speed: Speed, first: int) -> int:
+    """The sample about which it fell: of a leg that a hand's sway moved from `first` on, later."""
+    smooth, _ = smoothed(signal, speed.width)
+    gone = np.abs(smooth[first:] - smooth[first]) > SWAY
+    if not gone.any():
+        return first
+    there = first + int(np.argmax(gone))
+    since = SINCE * SWAY / max(abs(speed.velocity[there]), speed.still)
+    about = signal.time[there] - since
+    if about - signal.time[first] < HOLD:
+        return first
+    swayed = speed.velocity[first : int(np.searchsorted(signal.time, about - speed.width))]
+    calm = not swayed.size or np.abs(swayed).max() < max(SWAYING, speed.still)
+    return int(np.searchsorted(signal.time, about)) if calm else first
 
 
 def moving(time: Samples, speed: Speed) -> list[tuple[int, int]]:
@@ -109,12 +132,26 @@ def looked_into(
     early = HOLD + speed.width
     last = min(int(np.searchsorted(time, about + FALL)), time.size - 1)
     pull = abs(float(speed.velocity[last])) / FALL
-    inside = (time >= about - early - HELD) & (time <= about + FALL)
-    case = ReleaseWindow(signal.part(inside).averaged(BLOCK), pull, room)
-    found = let_go(case, max(about - early, float(time[0])), about + speed.width / 2)
+    sway = swaying(speed, int(np.searchsorted(time, about - HOLD))) if seen else 0.0
+    held, late = (0.0, HOLD) if sway else (HELD, speed.width / 2)
+    inside = (time >= about - early - held) & (time <= about + FALL)
+    case = ReleaseWindow(beside(signal.part(inside), sway).averaged(BLOCK), pull, room)
+    found = let_go(case, max(about - early, float(time[0])), about + late)
     if not seen and begun_free(case) < found.chi_square + ODDS * max(1.0, found.misfit):
         return None
     return found
+
+
+def swaying(speed: Speed, at: int) -> float:
+    """How fast a hand moves the leg that it keeps [rad/s]; 0 where it keeps it still."""
+    moved = float(speed.velocity[at])
+    return moved if abs(moved) > speed.still else 0.0
+
+
+def beside(signal: Signal, speed: float) -> Signal:
+    """As one sees it who moves as a swaying hand did [rad/s]: there too a leg falls from rest."""
+    velocity = None if signal.velocity is None else signal.velocity - speed
+    return replace(signal, angle=signal.angle - speed * signal.time, velocity=velocity)
 
 
 def nearest(time: Samples, at: float) -> int:

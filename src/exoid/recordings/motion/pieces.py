@@ -1,12 +1,12 @@
 """The movements of a continuous recording: drops, cycles, and what a hand did between them."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from exoid.recordings.motion.find_free import moving
-from exoid.recordings.motion.signal import signal_of, smoothed, speed_of
-from exoid.recordings.motion.thresholds import ABOVE, CLEAR, MINOR, SWINGS, TRAVEL
+from exoid.recordings.motion.signal import Speed, signal_of, smoothed, speed_of
+from exoid.recordings.motion.thresholds import ABOVE, CLEAR, MINOR, SWAYING, SWINGS, TRAVEL
 from exoid.recordings.recording import Kind, Segment, Sensors
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import RINGING, classify, cut, reversals, swings_out
@@ -21,21 +21,49 @@ class Piece:
     kind: Kind | None  # None where a hand moved the leg
     name: str
 
+    @property
+    def samples(self) -> slice:
+        return slice(self.start, self.stop)
+
 
 def find_pieces(log: Segment, sensors: Sensors, told: Kind | tuple | None) -> list[Piece]:
-    """The movements that go far, in turn. `told` is what the sidecar says of all of them."""
+    """The movements that go far, in turn. `told` is what the sidecar says of all of them.
+
+    A hand that sways as it keeps the leg joins a lift and a drop: where a leg swings out in such a
+    movement, slow swaying parts it.
+    """
     signal = signal_of(log, sensors)
     speed = speed_of(signal)
     smooth, noise = smoothed(signal, speed.width)
-    last = log.time.size - 1
-    found = [(max(a - 1, 0), min(b + 1, last) + 1) for a, b in moving(log.time, speed)]
-    travel = [float(np.ptp(smooth[a:b])) for a, b in found]
-    least = max([TRAVEL, CLEAR * noise, *(MINOR * each for each in travel)])
-    return [
-        piece(log, smooth, slice(a, b), told)
-        for (a, b), far in zip(found, travel, strict=True)
-        if far > least
-    ]
+    patient = replace(speed, still=max(speed.still, SWAYING))
+    least = max(TRAVEL, CLEAR * noise)
+
+    def pieces_in(part: slice, speed: Speed) -> list[Piece]:
+        return [piece(log, smooth, a, told) for a in far_ones(log.time, smooth, part, speed, least)]
+
+    pieces = []
+    for whole in pieces_in(slice(0, log.time.size), speed):
+        parts = [] if swing_out(log, smooth, [whole]) else pieces_in(whole.samples, patient)
+        pieces += parts if swing_out(log, smooth, parts) else [whole]
+    return pieces
+
+
+def far_ones(
+    time: Samples, smooth: Samples, part: slice, speed: Speed, least: float
+) -> list[slice]:
+    """The samples of the movements in a part that go far, between rests."""
+    begin, last = part.start, time.size - 1
+    moves = moving(time[part], replace(speed, velocity=speed.velocity[part]))
+    found = [slice(max(begin + a - 1, 0), min(begin + b + 1, last) + 1) for a, b in moves]
+    travel = [float(np.ptp(smooth[each])) for each in found]
+    least = max([least, *(MINOR * each for each in travel)])
+    return [each for each, far in zip(found, travel, strict=True) if far > least]
+
+
+def swing_out(log: Segment, smooth: Samples, pieces: list[Piece]) -> bool:
+    """Does a leg swing out in some of them, and in all that would be drops?"""
+    drops = [each.samples for each in pieces if each.kind == "passive"]
+    return bool(drops) and all(swings_out(log.time[each], smooth[each]) for each in drops)
 
 
 def piece(log: Segment, smooth: Samples, part: slice, told: Kind | tuple | None) -> Piece:

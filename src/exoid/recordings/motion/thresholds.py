@@ -8,6 +8,11 @@ QUIET = (4.5, np.radians(4.0))  # errors, rad/s
 SPEED_ERROR = np.radians(1.0)  # rad/s, at which a window is long enough
 WIDTHS = (0.05, 0.075, 0.1, 0.15, 0.2, 0.3)  # s; a leg's half swing takes 0.5 s
 
+SWAY = np.radians(6.0)  # rad, from turn to turn: the farthest that a hand sways which keeps a leg
+SWAYING = 4.0 * SWAY / 2  # rad/s, and how fast: at 4 rad/s, as slowly as a leg swings
+SINCE = 1.5  # times that way over the speed after it, before which a leg fell: 2 of a fall from
+# rest, 3 where the hand lets go ever more, less out of a sway
+
 # Letting go. A hand takes 20 to 100 ms; the leg then falls freely.
 WINDOWS = np.linspace(0.0, 0.12, 9)  # s, tried durations of letting go
 FALL = 0.25  # s after the release that are followed

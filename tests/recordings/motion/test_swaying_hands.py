@@ -1,0 +1,59 @@
+"""A hand that sways as it keeps a leg lets go when it lets go, not when it sways."""
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.interpolate import BPoly
+
+from exoid.recordings.motion.drops import find_drops
+from exoid.recordings.motion.split import cut_table
+from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from hands import ADULT
+
+STEP = 0.01  # s
+LIFT, HOLD, FREE = 1.5, 1.2, 7.0  # s
+TURN = 2 * np.pi * 0.7  # rad/s, of a hand that sways
+NOISE = 1e-3, 5e-3  # rad, rad/s
+
+
+def kept(at: float, sway: float, phase: float) -> np.ndarray:
+    """Angle and speed of a leg in a hand that sways: (channel, sample)."""
+    turned = TURN * np.arange(0.0, HOLD, STEP) + phase
+    return np.stack([at + sway * np.sin(turned), sway * TURN * np.cos(turned)])
+
+
+def session(sway: float, seed: int) -> tuple[Recording, list[float]]:
+    """Three drops, and when each leg was let go [s]: from a hold that sways [rad]."""
+    rng, leg, releases = np.random.default_rng(seed), np.array([[-1.4], [0.0]]), []
+    for start in np.radians([-20.0, -42.0, -30.0]):
+        hold = kept(start, sway, rng.uniform(0, 2 * np.pi))
+        path = BPoly.from_derivatives([0.0, LIFT], [leg[:, -1], hold[:, 0]])
+        time = np.arange(0.0, LIFT, STEP)
+        leg = np.concatenate([leg, [path(time), path.derivative()(time)], hold], axis=1)
+        releases.append(STEP * (leg.shape[1] - 1))
+        free = solve_ivp(
+            lambda _, y: (y[1], ADULT.pull(*y)),
+            (0.0, FREE),
+            leg[:, -1],
+            t_eval=np.arange(STEP, FREE, STEP),
+            rtol=1e-8,
+        )
+        leg = np.concatenate([leg, free.y], axis=1)
+    angle, speed = leg + np.array([NOISE]).T * rng.normal(size=leg.shape)
+    segment = Segment(STEP * np.arange(angle.size), raw_angle=angle, raw_angular_velocity=speed)
+    return Recording((segment,), Subject(kind="leg"), Protocol(), Sensors()), releases
+
+
+@pytest.mark.parametrize("sway", [0.3, 1.0, 1.5, 2.5])
+@pytest.mark.parametrize("seed", range(5))
+def test_a_drop_begins_where_a_hand_that_sways_lets_go(sway, seed):
+    recording, releases = session(np.radians(sway), seed)
+    cut = cut_table(recording).recording
+    assert set(cut.protocol.kind) == {"passive"}
+    drops = find_drops(cut)
+    # A hand that sways bends the hold by up to a degree: 3 ms of a fall.
+    for number, (segment, release) in enumerate(zip(cut.segments, releases, strict=True)):
+        begun, error = drops[number].release, drops[number].release_error
+        assert segment.begins + begun == pytest.approx(release, abs=3 * error + 3e-3)
+        free = segment.begins + segment.time[drops[number].free]
+        assert release <= free < release + 0.2
