@@ -5,6 +5,8 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.interpolate import BPoly
 
+from exoid.recordings.landmarks.release import find_release
+from exoid.recordings.landmarks.track import track_of
 from exoid.recordings.motion.drops import find_drops
 from exoid.recordings.motion.split import cut_table
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
@@ -57,3 +59,23 @@ def test_a_drop_begins_where_a_hand_that_sways_lets_go(sway, seed):
         assert segment.begins + begun == pytest.approx(release, abs=3 * error + 3e-3)
         free = segment.begins + segment.time[drops[number].free]
         assert release <= free < release + 0.2
+
+
+@pytest.mark.parametrize("sway", [0.3, 1.5, 2.5])
+@pytest.mark.parametrize("seed", range(3))
+def test_the_angle_at_which_it_let_go_is_as_unsure_as_the_hand_moves_it(sway, seed):
+    recording, releases = session(np.radians(sway), seed)
+    (log,), cut = recording.segments, cut_table(recording).recording
+    for number, release in enumerate(releases):
+        extent = find_drops(cut)[number]
+        start = find_release(track_of(cut.segments[number], NOISE[0]), extent).start
+        there = log.raw_angle[round(release / STEP)]
+        assert abs(start.value - there) < 3 * np.hypot(start.error, NOISE[0])
+        assert start.error < np.radians(sway)
+
+
+def test_of_a_hand_that_keeps_still_the_angle_is_as_sure_as_its_noise():
+    cut = cut_table(session(0.0, 0)[0]).recording
+    for number, extent in find_drops(cut).items():
+        start = find_release(track_of(cut.segments[number], NOISE[0]), extent).start
+        assert start.error < NOISE[0] / 4  # of thirty samples

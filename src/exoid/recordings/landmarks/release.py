@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from math import perm
 
 import numpy as np
+from numpy.polynomial.legendre import legfit
 from numpy.typing import NDArray
 
 from exoid.recordings.landmarks.local_polynomial import local
@@ -133,5 +134,21 @@ def refined(track: Track, begin: float) -> tuple[Release, float]:
     covariance = track.noise**2 * inverse @ inverse.T
     errors = np.sqrt(np.diag(covariance))
     at = nearest(track, begin)
-    start = Peak(at, begin, float(errors[-1]), float(fall[0]), float(errors[0]))
+    error = float(np.hypot(errors[0], swayed(track, begin)))
+    start = Peak(at, begin, float(errors[-1]), float(fall[0]), error)
     return Release(start, fall, covariance), float((inverse @ (angle - table @ fall))[-1])
+
+
+def swayed(track: Track, begin: float) -> float:
+    """How far a hand moved the leg from its mean over the hold that is followed [rad], by a
+    parabola's value at its end; 0 where it moved it no more than the noise may.
+    """
+    held = slice(*np.searchsorted(track.time, [begin - FALL, begin]))
+    time = track.time[held]
+    if time.size < FEWEST:
+        return 0.0
+    x = 1 - 2 * (begin - time) / (begin - time[0])
+    moved = legfit(x, track.angle[held], 2)[1:]  # each is 1 at the end
+    errors = track.noise * np.sqrt(np.array([3, 5]) / time.size)
+    sure = np.hypot(*(moved / errors)) > SURE
+    return float(np.hypot(*moved)) if sure else 0.0

@@ -95,11 +95,12 @@ def fallen_since(signal: Signal, speed: Speed, first: int) -> int:
     there = first + int(np.argmax(gone))
     since = SINCE * SWAY / max(abs(speed.velocity[there]), speed.still)
     about = signal.time[there] - since
-    if about - signal.time[first] < HOLD:
+    if about - signal.time[first] <= max(HOLD, speed.width):
         return first
-    swayed = speed.velocity[first : int(np.searchsorted(signal.time, about - speed.width))]
-    calm = not swayed.size or np.abs(swayed).max() < max(SWAYING, speed.still)
-    return int(np.searchsorted(signal.time, about)) if calm else first
+    before = int(np.searchsorted(signal.time, about - speed.width))
+    fastest = float(np.abs(speed.velocity[first:before]).max())
+    swayed = fastest < max(SWAYING, speed.still)
+    return int(np.searchsorted(signal.time, about)) if swayed else first
 
 
 def moving(time: Samples, speed: Speed) -> list[tuple[int, int]]:
@@ -132,7 +133,7 @@ def looked_into(
     early = HOLD + speed.width
     last = min(int(np.searchsorted(time, about + FALL)), time.size - 1)
     pull = abs(float(speed.velocity[last])) / FALL
-    sway = swaying(speed, int(np.searchsorted(time, about - HOLD))) if seen else 0.0
+    sway = swaying(signal, speed, about - early)
     held, late = (0.0, HOLD) if sway else (HELD, speed.width / 2)
     inside = (time >= about - early - held) & (time <= about + FALL)
     case = ReleaseWindow(beside(signal.part(inside), sway).averaged(BLOCK), pull, room)
@@ -142,9 +143,11 @@ def looked_into(
     return found
 
 
-def swaying(speed: Speed, at: int) -> float:
-    """How fast a hand moves the leg that it keeps [rad/s]; 0 where it keeps it still."""
-    moved = float(speed.velocity[at])
+def swaying(signal: Signal, speed: Speed, at: float) -> float:
+    """How fast a hand moves the leg that it keeps, at a time [rad/s]; 0 where it keeps it still."""
+    if at - signal.time[0] < speed.width / 2:
+        return 0.0
+    moved = float(speed.velocity[np.searchsorted(signal.time, at)])
     return moved if abs(moved) > speed.still else 0.0
 
 
