@@ -65,10 +65,13 @@ def first_movement(signal: Signal, speed: Speed) -> tuple[int, int]:
 @remembered  # the same where the noise of the same samples is another
 def first_beyond(speed: Speed, signal: Signal, least: float) -> tuple[int, int]:
     """The first stretch that moves by more than `least` rad."""
-    smooth, _ = smoothed(signal, speed.width)
+    smooth, noise = smoothed(signal, speed.width)
     for first, last in moving(signal.time, speed):
         if np.ptp(smooth[max(first - 1, 0) : last + 2]) > least:
-            return departure(smooth[: last + 1], speed, first, least), last
+            # What moves at once, and faster than a hand sways, is free: it turns around, too.
+            held = first > 0 or abs(speed.velocity[0]) < SWAYING
+            far = least if held else max(TRAVEL, CLEAR * noise)
+            return departure(smooth[: last + 1], speed, first, far), last
     raise Motionless(
         f"nothing moves: no movement goes farther than {np.degrees(least):.2g} deg at more than "
         f"{np.degrees(speed.still):.2g} deg/s, which the noise allows to tell."
