@@ -73,11 +73,13 @@ def describe(
     leaning = leans(problem, ended)
     at_bound = {name for name, hold in zip(problem.constraints, leaning, strict=True) if hold}
     basis = Basis(problem, ended, information_at(problem, ended, leaning))
-    ratios = widened(
-        estimate_ratios(basis, at_bound), at_odds(problem, ended), led_astray(problem, ended)
-    )
+    plain = estimate_ratios(basis, at_bound)
+    ratios = widened(plain, at_odds(problem, ended), led_astray(problem, ended))
     parameters = estimate_leg(basis, ratios, at_bound)
     inertia = parameters["inertia"]
+    grown = {name: growth(plain[name], each, inertia) for name, each in ratios.items()}
+    for name in ("damping", "stiffness"):
+        parameters[name] = stepped(parameters[name], 0.0, grown[f"{name}_over_inertia"])
 
     def torque(names: list[str]) -> Estimate:
         own = estimate_torque(basis, names, at_bound)
@@ -117,6 +119,7 @@ def describe(
     slack = left_open(problem, ended, errors) if told.follows else None
     said = notes(told, basis, at_bound, slack)
     moment = estimate_moment(basis, told.ratios["gravity_over_inertia"], told.parameters["inertia"])
+    moment = stepped(moment, 0.0, grown["gravity_over_inertia"])
     return replace(told, ratios=with_slack(told.ratios, slack), gravity_moment=moment, notes=said)
 
 
@@ -140,6 +143,12 @@ def stepped(each: Estimate, least: float, step: float) -> Estimate:
     kept = (each.standard_error / error) ** 2
     shares = {name: kept * share for name, share in (each.limited_by or {}).items()}
     return replace(each, standard_error=error, limited_by=shares)
+
+
+def growth(before: Estimate, after: Estimate, inertia: Estimate) -> float:
+    """By how much the error of what is this ratio times J grows with that of the ratio."""
+    errors = [each.standard_error or 0.0 for each in (before, after)]
+    return (inertia.value or 0.0) * float(np.sqrt(max(errors[1] ** 2 - errors[0] ** 2, 0.0)))
 
 
 def with_slack(ratios: dict[str, Estimate], found: Leaning | None) -> dict[str, Estimate]:
