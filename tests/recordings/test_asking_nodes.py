@@ -16,7 +16,7 @@ POSITION = b"$GPGGA,123519,4807.038,N,01131.000,E,1,08\r\n"
     [
         (b"", r"at 500000 bit/s. Is this the node's port or bus, and is the node powered and"),
         (5 * POSITION, r"[45] lines came, no frames: something else speaks there"),
-        (line(numbered(1, 0x0A5)[0]), r"but 1 frame\(s\) of others came. Is this its bus"),
+        (line(numbered(1, 0x0A5)[0]), r"but 1 frame of others came. Is this its bus"),
     ],
 )
 def test_who_else_speaks_on_the_port_is_told(tmp_path, monkeypatch, sent, said):

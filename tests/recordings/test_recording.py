@@ -53,7 +53,7 @@ def test_a_recording_without_segments_is_refused():
 @pytest.mark.parametrize(
     ("segment", "message"),
     [
-        (Segment(np.zeros(1), angle=np.zeros(1)), r"segment 0 has 1 sample\(s\)"),
+        (Segment(np.zeros(1), angle=np.zeros(1)), r"segment 0 has 1 sample;"),
         (Segment(np.arange(3.0)), "segment 0 has no angle"),
         (Segment(np.arange(3.0), angle=np.zeros(2)), r"has shape \(2,\), but time_s has 3"),
         (swing(extra_columns={"marker": ("a",)}), "marker in segment 0 has 1 cells, but time_s 5"),
@@ -136,7 +136,7 @@ def test_a_kind_that_there_is_none_of_is_refused_where_no_types_are_checked():
         ({"subject": Subject(height=180.0)}, "height_m is 180 m; it must lie between 0.4 and 2.6"),
         ({"subject": Subject(body_mass=float("nan"))}, "body_mass_kg is nan"),
         ({"subject": Subject(added_mass_distance=0.4)}, "without added_mass_kg"),
-        ({"protocol": Protocol(cycle_period=(2.0, 2.0))}, r"lists 2 value\(s\) for 1 segment"),
+        ({"protocol": Protocol(cycle_period=(2.0, 2.0))}, r"lists 2 values for 1 segment"),
         ({"sensors": Sensors(encoder_counts=12.0)}, "encoder_counts is 12 counts per turn"),
     ],
 )

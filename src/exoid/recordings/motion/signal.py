@@ -12,7 +12,7 @@ from exoid.recordings.recording import Segment, Sensors
 from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples, block_means, block_size, usual_step
 from exoid.recordings.signal.local_line import local_line
-from exoid.recordings.signal.noise import OF_ANGLE, OF_RATE, declared_angle_noise, noise_of
+from exoid.recordings.signal.noise import OF_ANGLE, declared_angle_noise, noise_of
 from exoid.recordings.signal.spikes import spikes_of
 
 
@@ -101,7 +101,7 @@ def signal_of(segment: Segment, sensors: Sensors) -> Signal:
     angle, noise = credible(segment, of_angle, declared, swing=OF_ANGLE)
     if getattr(segment, rate) is None:
         return Signal(segment.time, angle, noise, None, np.inf)
-    velocity, scatter = credible(segment, rate, sensors.velocity_noise, swing=OF_RATE)
+    velocity, scatter = credible(segment, rate, sensors.velocity_noise, swing=None)
     return Signal(
         segment.time, angle, noise, velocity - bias(segment.time, angle, velocity), scatter
     )
@@ -114,7 +114,7 @@ def bias(time: Samples, angle: Samples, velocity: Samples) -> float:
 
 
 def credible(
-    segment: Segment, channel: str, declared: float | None, *, swing: float
+    segment: Segment, channel: str, declared: float | None, *, swing: float | None
 ) -> tuple[Samples, float]:
     """The samples without spikes, and their noise."""
     samples, spikes = getattr(segment, channel), spikes_of(segment, channel, declared or 0.0)

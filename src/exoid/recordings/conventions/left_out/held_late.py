@@ -9,7 +9,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 
 from exoid.recordings.samples import Samples, usual_step
 
@@ -60,6 +59,8 @@ def beat(first: Samples, step: float, usual: float) -> Beat | None:
 
 def on_time(time: Samples, samples: Samples, taken: Mask, found: Beat) -> Samples:
     """The samples that are taken as they were when they stand first, by a cubic through them."""
+    from scipy.interpolate import CubicSpline  # seldom needed, and long to import
+
     known = taken & ~np.isnan(samples)
     first = time[known]
     curve = CubicSpline(first - found.late(first), samples[known])
