@@ -74,12 +74,16 @@ def describe(
     at_bound = {name for name, hold in zip(problem.constraints, leaning, strict=True) if hold}
     basis = Basis(problem, ended, information_at(problem, ended, leaning))
     plain = estimate_ratios(basis, at_bound)
-    ratios = widened(plain, at_odds(problem, ended), led_astray(problem, ended))
+    odds, steps = at_odds(problem, ended), led_astray(problem, ended)
+    ratios = {
+        name: each.widened(steps.get(name, 0.0), least=odds.get(name, 0.0))
+        for name, each in plain.items()
+    }
     parameters = estimate_leg(basis, ratios, at_bound)
     inertia = parameters["inertia"]
     grown = {name: growth(plain[name], each, inertia) for name, each in ratios.items()}
     for name in ("damping", "stiffness"):
-        parameters[name] = stepped(parameters[name], 0.0, grown[f"{name}_over_inertia"])
+        parameters[name] = parameters[name].widened(grown[f"{name}_over_inertia"])
 
     def torque(names: list[str]) -> Estimate:
         own = estimate_torque(basis, names, at_bound)
@@ -119,30 +123,8 @@ def describe(
     slack = left_open(problem, ended, errors) if told.follows else None
     said = notes(told, basis, at_bound, slack)
     moment = estimate_moment(basis, told.ratios["gravity_over_inertia"], told.parameters["inertia"])
-    moment = stepped(moment, 0.0, grown["gravity_over_inertia"])
+    moment = moment.widened(grown["gravity_over_inertia"])
     return replace(told, ratios=with_slack(told.ratios, slack), gravity_moment=moment, notes=said)
-
-
-def widened(
-    ratios: dict[str, Estimate], odds: dict[str, float], steps: dict[str, float]
-) -> dict[str, Estimate]:
-    """The ratios, their errors at least by how far parts are at odds, and by how far all of them
-    are led astray.
-    """
-    return {
-        name: stepped(each, odds.get(name, 0.0), steps.get(name, 0.0))
-        for name, each in ratios.items()
-    }
-
-
-def stepped(each: Estimate, least: float, step: float) -> Estimate:
-    """With this error at least, and a step more; where there is none, there is none to widen."""
-    if not each.standard_error:
-        return each
-    error = float(np.hypot(max(each.standard_error, least), step))
-    kept = (each.standard_error / error) ** 2
-    shares = {name: kept * share for name, share in (each.limited_by or {}).items()}
-    return replace(each, standard_error=error, limited_by=shares)
 
 
 def growth(before: Estimate, after: Estimate, inertia: Estimate) -> float:

@@ -1,7 +1,8 @@
 """What a fit found: values with their errors and reasons, not bare numbers."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
+from math import hypot
 from typing import Annotated, Any
 
 import numpy as np
@@ -44,6 +45,18 @@ class Estimate:
     @property
     def determined_by(self) -> Source | None:
         return None if self.shares is None else self.shares.source
+
+    def widened(self, by: float, least: float = 0.0, cause: str | None = None) -> "Estimate":
+        """With an error of `least`, and a standard deviation more, that a `cause` makes; where no
+        error is, there is none to widen. What its systematics make of it stays.
+        """
+        error = hypot(max(self.standard_error or 0.0, least), by)
+        if not self.standard_error or error == self.standard_error:
+            return self
+        kept = (self.standard_error / error) ** 2
+        shares = {name: kept * share for name, share in (self.limited_by or {}).items()}
+        more = {} if cause is None else {cause: 1 - kept}
+        return replace(self, standard_error=error, limited_by=shares | more)
 
     @property
     def set_by(self) -> str | None:

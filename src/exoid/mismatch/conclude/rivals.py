@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.fitting.result.fit_result import RIVALS, Estimate, FitResult
+from exoid.fitting.result.fit_result import RIVALS, FitResult
 from exoid.fitting.result.remarks.slack_angle import BENT, leaning
 from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect, Verdict
 from exoid.mismatch.conclude.numbers import moved
@@ -94,9 +94,9 @@ def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
         name: max(float(np.sqrt(part.sum())), slack.get(name, 0.0)) for name, part in parts.items()
     }
     inertia = result.parameters["inertia"].value or 0.0
-    ratios = {name: widened(one, spread[name]) for name, one in result.ratios.items()}
+    ratios = {name: one.widened(spread[name], cause=RIVALS) for name, one in result.ratios.items()}
     parameters = {
-        name: widened(one, inertia * spread.get(OF_RATIO.get(name, ""), 0.0))
+        name: one.widened(inertia * spread.get(OF_RATIO.get(name, ""), 0.0), cause=RIVALS)
         for name, one in result.parameters.items()
     }
     moment = result.gravity_moment
@@ -116,7 +116,8 @@ def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
         result,
         ratios=ratios,
         parameters=parameters,
-        gravity_moment=moment and widened(moment, inertia * spread["gravity_over_inertia"]),
+        gravity_moment=moment
+        and moment.widened(inertia * spread["gravity_over_inertia"], cause=RIVALS),
         notes=notes,
     )
 
@@ -127,16 +128,6 @@ def of_slack_angle(result: FitResult) -> dict[str, float]:
         return {}
     found = leaning(result.basis.problem, result.basis.ended)
     return {} if found is None else found.spread
-
-
-def widened(each: Estimate, spread: float) -> Estimate:
-    """With a standard deviation more; where there is no error, there is none to widen."""
-    if not each.standard_error or not spread:
-        return each
-    total = float(np.hypot(each.standard_error, spread))
-    kept = (each.standard_error / total) ** 2
-    shares = {name: kept * share for name, share in (each.limited_by or {}).items()}
-    return replace(each, standard_error=total, limited_by={**shares, RIVALS: 1 - kept})
 
 
 def by_the_fits(found: Diagnosis, after: FitResult | None) -> tuple[list[Booked], list[Suspect]]:

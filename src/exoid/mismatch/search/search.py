@@ -55,7 +55,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     begin = beginning(prepared, base)
     usable = [term for term in prepared.library if applies(prepared, term)]
     known = given(prepared, begin)
-    told(f"testing {len(usable)} candidates together; this takes about a minute")
+    told(f"testing {len(usable)} candidates together")
     starts = [
         begin.with_term(term, value, known) for term in usable for value in prepared.starts(term)
     ]
