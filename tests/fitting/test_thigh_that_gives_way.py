@@ -3,6 +3,7 @@
 import numpy as np
 from scipy.integrate import solve_ivp
 
+from exoid.fitting.errors.profile import profiles
 from exoid.fitting.estimate import fit
 from exoid.recordings.recording import Segment
 from legs import recording
@@ -54,9 +55,12 @@ def drop(start, seed):
 
 
 def test_errors_hold_a_thigh_that_gives_way_and_a_level_seat():
-    ratios = fit(recording(*map(drop, STARTS, range(4))), multistart=2).ratios
+    result = fit(recording(*map(drop, STARTS, range(4))), multistart=2)
+    ratios, profiled = result.ratios, profiles(result)
     truth = {"gravity": MASS * DISTANCE * GRAVITY / INERTIA, "stiffness": STIFFNESS / INERTIA}
     for name, true in truth.items():
         found = ratios[f"{name}_over_inertia"]
         assert abs(found.value - true) < WITHIN * found.standard_error
         assert found.standard_error < 0.02 * truth["gravity"]  # still worth something
+        profile = profiled[f"{name}_over_inertia"]  # looks as far as the error does
+        assert profile.lower < true < profile.upper

@@ -66,6 +66,7 @@ class ProfiledQuantity:
     targets: np.ndarray
     step: float  # about one standard error
     noise_scale: float
+    wider: float  # times: its error holds what leads a fit astray, too, which no loss shows
 
 
 def profiles(result: FitResult) -> dict[str, Profile]:
@@ -126,13 +127,16 @@ def posed(basis: Basis, name: str, estimate: Estimate) -> ProfiledQuantity | Non
         return None  # one value alone
     # A bound may have narrowed the error on one side only: look as far as it would reach without.
     free = basis.information.without_bounds(gradient)
-    step = max(estimate.standard_error or 0.0, free if np.isfinite(free) else 0.0)
+    known = basis.information.standard_error(gradient)
+    error = estimate.standard_error or 0.0
+    wider = max(error / known, 1.0) if known else 1.0
+    step = max(error / wider, free if np.isfinite(free) else 0.0)
     step = step or WIDE * abs(value) / REACH
     if not step > 0:
         return None
     targets = value + step * np.linspace(-REACH, REACH, POINTS)
     scale = matching(basis, gradient, estimate.standard_error)
-    return ProfiledQuantity(name, estimate, weights, targets, float(step), scale)
+    return ProfiledQuantity(name, estimate, weights, targets, float(step), scale, wider)
 
 
 def matching(basis: Basis, gradient: np.ndarray, error: float | None) -> float:
@@ -178,6 +182,7 @@ def traced(quest: ProfiledQuantity, value: np.ndarray, twice: np.ndarray) -> Pro
         return None
     value, rise = value[good], twice[good] - twice[good].min()
     best = int(np.argmin(rise))
+    value = value[best] + quest.wider * (value - value[best])
     return Profile(
         name=quest.name,
         estimate=quest.estimate,
