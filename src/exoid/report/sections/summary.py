@@ -5,9 +5,8 @@ from collections.abc import Iterator
 from markupsafe import Markup
 
 from exoid.files.counted import counted
-from exoid.fitting.errors.profile import named
 from exoid.fitting.result.agreement import of_the_rest
-from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.fitting.result.remarks.remarks import slight
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.report.parts.case import Case
@@ -157,7 +156,7 @@ def numbers(case: Case) -> Group:
     if not fit.follows:
         return card(question, "open", "None that can be used.", sentence(LOST))
     groups: dict[str | None, list[str]] = {}
-    for each in {**parameters_of(fit), **fit.ratios, **fit.of_terms}.values():
+    for each in every_number(fit).values():
         groups.setdefault(each.determined_by, []).append(each.symbol)
     measured = groups.get("data", [])
     others = [each for source, symbols in groups.items() if source != "data" for each in symbols]
@@ -172,7 +171,7 @@ def numbers(case: Case) -> Group:
 def believed(case: Case) -> Table:
     """Every number, and how far to believe it."""
     fit = case.fit
-    quantities = dict(named(fit))
+    quantities = every_number(fit)
     each = list(quantities.values())
     belief = BELIEF | {"data": INCOMPLETE} if misses(case) else BELIEF
     belief = belief if fit.follows else dict.fromkeys(BELIEF, LOST)
@@ -183,6 +182,11 @@ def believed(case: Case) -> Table:
         "how far to believe it": [belief[decided(one)] for one in each],
     }
     return Table("The leg in numbers; ± is one standard error", columns)
+
+
+def every_number(fit: FitResult) -> dict[str, Estimate]:
+    """Of the leg and of the terms that are fitted with it."""
+    return {**parameters_of(fit), **fit.ratios, **fit.of_terms}
 
 
 def decided(each: Estimate) -> str | None:
