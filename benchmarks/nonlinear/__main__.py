@@ -53,7 +53,7 @@ def told(system: System) -> list[str]:
         f"  seen           {rms(missed(before, early, same_begin=True)):.3g} -> "
         f"{rms(missed(after, early, same_begin=True)):.3g} {system.unit} "
         "(Eq. 9 alone -> with what was found)",
-        f"  unseen, from its own first sample    {own[0]:.3g} -> {own[1]:.3g} {system.unit}",
+        f"  unseen, begun by its first 50 samples  {own[0]:.3g} -> {own[1]:.3g} {system.unit}",
     ]
     if len(whole.segments) == 1:
         split = early.segments[0].time.size

@@ -53,6 +53,7 @@ class Term(eqx.Module):
     opposite: ClassVar[str] = ""  # the term that this one takes in where the two are opposite
     memory_size: ClassVar[int] = 0  # of a state of its own
     lasting: ClassVar[bool] = False  # may the state outlast that the leg is held before a drop
+    begun: ClassVar[str] = ""  # the parameter that says how the state begins
     jumps: ClassVar[bool] = False  # does the gyro's reading jump
     substeps: ClassVar[int] = 1  # of a time step, where the term is faster than the leg
     voluntary: ClassVar[bool] = False  # does it change the torque of Eq. 10, and nothing else

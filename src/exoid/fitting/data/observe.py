@@ -100,7 +100,7 @@ def one_observation(
         guide_angle=np.interp(time, own, guide),
         guide_velocity=np.interp(time, own, slope),
         cycle=staged(time, lambda at: cycle_torque(at - each.onset, each, reading)),
-        torque=staged(time, lambda at: measured_torque(at, each, smooth=parts > 1)),
+        torque=staged(time, lambda at: measured_torque(at, each)),
         added_mass=np.asarray(each.added_mass),
         added_mass_distance=np.asarray(SOMEWHERE if each.unplaced else each.added_mass_distance),
         added_mass_moves=np.asarray(float(each.unplaced or not beside_unplaced(each, movements))),
@@ -136,17 +136,16 @@ def cycle_torque(time: Samples, each: Movement, reading: str) -> Samples:
     return cycle_shape(time, each.period, frequency, xp=np)
 
 
-def measured_torque(time: Samples, each: Movement, *, smooth: bool = False) -> Samples:
-    """The torque that was measured [N m], linear between its samples.
-
-    Where the samples are few for the motion and the torque is smooth, a spline of order five: a
-    line loses (omega h)^2 / 12 of what has the frequency omega, 13 % at five samples a period.
+def measured_torque(time: Samples, each: Movement) -> Samples:
+    """The torque that was measured [N m]: where it is smooth, a spline of order five through its
+    samples, for a line loses (omega h)^2 / 12 of what has the frequency omega, 13 % at five samples
+    a period; otherwise linear between them.
     """
     torque, own = each.segment.applied_torque, each.segment.time
     if each.kind != "measured" or torque is None:
         return np.zeros_like(time)
     known = interpolated(own, torque)
-    if smooth and is_smooth(known):
+    if is_smooth(known):
         return make_interp_spline(own, known, k=SPLINE)(np.minimum(time, own[-1]))
     return np.interp(time, own, known)
 

@@ -11,6 +11,7 @@ from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum, Products
 from exoid.mismatch.screen.many_free import release
 from exoid.mismatch.screen.optimise import STEADY, descend, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
+from exoid.physics.parameter import declarations
 
 LOOKS = 3  # at a held-out segment, to find where it begins
 QUARTERS = 4  # of a single segment, each predicted from the others
@@ -36,7 +37,7 @@ def predict_others(prepared: PreparedRecording, at: Optimum) -> Prediction:
     """Every segment from the others: leg and terms from them, only its own start from itself."""
     held_out = np.eye(prepared.segments, dtype=bool)[:, :, None]
     candidates = fitted_without(prepared, at, held_out)
-    began = side_by_side(lambda each: started(prepared, *each), enumerate(candidates))
+    began = side_by_side(lambda each: started(prepared, at, *each), enumerate(candidates))
     shown = np.stack([each.motion[number] for number, each in enumerate(began)])
     used = np.asarray(prepared.seen.angle_weight) > 0
     return prediction(prepared.seen, shown, used, np.arange(prepared.segments)[:, None])
@@ -49,7 +50,7 @@ def predict_quarters(prepared: PreparedRecording, at: Optimum) -> Prediction:
     which = np.where(used, (np.cumsum(used, axis=1) - 1) * QUARTERS // used.sum(), -1)
     held_out = np.arange(QUARTERS)[:, None, None] == which
     first, *later = fitted_without(prepared, at, held_out)
-    begun = started(prepared, 0, first, seen.weighed(held_out[0])).motion
+    begun = started(prepared, at, 0, first, seen.weighed(held_out[0])).motion
     motions = [begun, *(release(prepared, each)[1] for each in later)]
     shown = np.select(list(held_out[..., None]), motions, 0.0)
     return prediction(seen, shown, used, which)
@@ -68,13 +69,16 @@ def fitted_without(
 
 def started(
     prepared: PreparedRecording,
+    at: Optimum,
     number: int,
     candidate: Hypothesis,
     observation: Observation | None = None,
 ) -> Optimum:
-    """The candidate with what the segment `number` owns brought to its best there."""
-    own = [each[number] for each in jax.tree.leaves(prepared.numbers.own)]
-    asked = np.isin(np.arange(candidate.unknowns.size + 1), [*own, candidate.unknowns.size])
+    """The candidate with what the segment `number` begins with brought to its best there."""
+    begin = beginning(prepared, number, candidate)
+    unknowns = candidate.unknowns
+    unknowns[begin] = at.candidate.unknowns[begin]
+    asked = np.isin(np.arange(unknowns.size + 1), [*begin, unknowns.size])
 
     def evaluate(prepared, tried):
         found = [release(prepared, one, observation) for one, _ in tried]
@@ -83,7 +87,15 @@ def started(
     def there(products: Products) -> Products:
         return Products(products.each[[number]] * np.outer(asked, asked), 0.0 * products.usual)
 
-    return descend(prepared, [(candidate, None)], evaluate, [LOOKS], STEADY)[0]
+    return descend(prepared, [(candidate.at(unknowns), None)], evaluate, [LOOKS], STEADY)[0]
+
+
+def beginning(prepared: PreparedRecording, number: int, candidate: Hypothesis) -> list[int]:
+    """Which of the unknowns say how a segment begins: its own, and those of terms that remember."""
+    own = [each[number] for each in jax.tree.leaves(prepared.numbers.own)]
+    names = [(term, name) for term in candidate.terms for name, _ in declarations(term)]
+    first = candidate.unknowns.size - len(names)
+    return own + [first + k for k, (term, name) in enumerate(names) if name == term.begun]
 
 
 def prediction(

@@ -11,7 +11,7 @@ FARTHEST = 1e3  # of z, where it does not yield
 
 
 class ShapedHysteresis(PhysicsTerm):
-    """tau = -F z,  z' = (phi' - (|phi'| z + r phi' |z|) / 2) / phi_y.
+    """tau = -F z,  z' = (phi' - (|phi'| z + r phi' |z|) / 2) / phi_y,  z_0 at the first sample.
 
     r = 1 yields while it is loaded (`Hysteresis`), r = 0 loads along a line, r < 0 hardens.
     """
@@ -25,12 +25,17 @@ class ShapedHysteresis(PhysicsTerm):
     isolate = "slow reversals of several sizes, and a pull to one side held still"
     memory_size = 1
     lasting = True
+    begun = "load"
     substeps = 4
     mechanical = True
 
     level: Parameter = parameter("F", "N m", 0.0, 50.0, "torque of the spring at phi_y", (1.0,))
     yield_angle: Parameter = parameter("phi_y", "rad", 0.004, 0.6, "yield angle", (0.2,))
     shape: Parameter = parameter("r", "1", -2.0, 1.0, "yielding (1) or hardening (< 0)", (0.0,))
+    load: Parameter = parameter("z_0", "1", -5.0, 5.0, "load at the first sample", (0.0,))
+
+    def memory_at_rest(self, now: Moment) -> Memory:
+        return jnp.reshape(self.load, 1)
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         return -self.level * memory[0]
