@@ -1,5 +1,8 @@
 """What a fit says of legs whose spring is slack elsewhere than at full extension; by SciPy."""
 
+from dataclasses import replace
+
+import jax
 import numpy as np
 import pytest
 
@@ -100,3 +103,20 @@ def test_where_the_spring_is_slack_is_told_to_first_order(degrees):
     assert np.degrees(found.seen) == pytest.approx(
         degrees, abs=max(2 * np.degrees(found.told), 1.0)
     )
+
+
+def test_what_it_sees_hangs_not_on_how_exactly_a_fit_has_ended():
+    """Where a leg rubs, no fit ends to the last digit."""
+    found = two_drops(0.0, (8e-4, 0.0), gyro=False)
+    assert found.basis is not None
+    ended = found.basis.ended
+    point = ended.point
+    nearly = replace(
+        point.shared, gravity=point.shared.gravity + 1e-3
+    )  # 1/s^2, a tenth of an error
+    rows = jax.tree.map(lambda leaf: np.asarray(leaf)[None], replace(point, shared=nearly))
+    begun = replace(ended, best=replace(ended.best, coordinates=rows))
+    exact, rough = leans(found), leaning(found.basis.problem, begun)
+    assert exact is not None
+    assert rough is not None
+    assert rough.seen == pytest.approx(exact.seen, abs=0.1 * exact.told)

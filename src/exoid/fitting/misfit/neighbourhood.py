@@ -18,7 +18,7 @@ from exoid.fitting.model.coordinates import (
     unflattened,
 )
 from exoid.fitting.model.limits import Limits, Prior
-from exoid.fitting.model.prior import belief_residual
+from exoid.fitting.model.prior import belief_residual, mounting_residual
 
 COMPLEX_STEP = 1e-30  # exact to rounding: no difference is taken
 PENALTY = 100.0  # rho times the variance of a constraint: each round gains two digits
@@ -76,6 +76,13 @@ def prior_information(point: Coordinates, prior: Prior) -> np.ndarray:
     believed = gradients(lambda at: belief_residual(prior, at, np), point)
     declared = declared_slopes(point, prior)
     return believed.T @ believed + declared.T @ declared
+
+
+def pull_of_belief(point: Coordinates, prior: Prior) -> np.ndarray:
+    """The gradient of half the sum of squares of what is believed of leg and mountings."""
+    believed = gradients(lambda at: belief_residual(prior, at, np), point)
+    off = believed.T @ belief_residual(prior, point, np)
+    return off + declared_slopes(point, prior).T @ mounting_residual(prior, point.mounting, np)
 
 
 def quantity_gradients(point: Coordinates) -> np.ndarray:

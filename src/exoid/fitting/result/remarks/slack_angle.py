@@ -2,7 +2,9 @@
 
 With the rest angle phi_r the spring is -c (phi - phi_r): beside Eq. 9 a constant torque c phi_r
 acts. Near the end point a fit without it errs by H^-1 A'S of that torque over J, with the
-sensitivities A of the residual, S its answer to the torque, and H = A'A and what is believed.
+sensitivities A of the residual r, S its answer to the torque, and H = A'A and what is believed. The
+data tell S'S - S'A H^-1 A'S of the torque, and show S'A H^-1 g - S'r over that: at a minimum the
+slope g is 0, but where the torque is hardly told apart, a little of it counts.
 """
 
 from collections.abc import Sequence
@@ -11,6 +13,7 @@ from typing import Annotated
 
 import numpy as np
 
+from exoid.fitting.misfit.neighbourhood import pull_of_belief
 from exoid.fitting.misfit.uncertainty import decomposed, inverse_times
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.solve.ask import grams_at
@@ -109,17 +112,19 @@ def leaning(problem: Problem, ended: SearchResult) -> Leaning | None:
 
 def answer(problem: Problem, ended: SearchResult) -> tuple[np.ndarray, float, float]:
     """H^-1 A'S for a constant torque of 1 rad/s^2 times J; what the data tell of the torque beside
-    the coordinates; and, over that, the torque that the residual shows.
+    the coordinates; and, over that, the torque that they show.
     """
     scale = ended.disturbance.scale * ended.disturbance.weighing(problem.kinds)
     known, slope = ended.local.prior.copy(), np.zeros(len(ended.local.prior))
+    uphill = pull_of_belief(ended.point, problem.belief.prior)
     own = seen = 0.0
     for each, unit in zip(grams_at(problem, ended.best, 0, ["torque"]), scale, strict=True):
         gram = each["torque"]
-        pushed = gram.effect.sum(axis=1) / unit
-        known[np.ix_(gram.place, gram.place)] += gram.fitted[:-1, :-1] / unit**2
+        pushed, fitted = gram.effect.sum(axis=1) / unit, gram.fitted / unit**2
+        known[np.ix_(gram.place, gram.place)] += fitted[:-1, :-1]
+        uphill[gram.place] += fitted[:-1, -1]
         slope[gram.place] += pushed @ gram.inside[:, :-1] / unit
         own += pushed @ pushed
         seen -= pushed @ gram.inside[:, -1] / unit
     pull = inverse_times(decomposed(known), slope)
-    return pull, float(own - slope @ pull), float(seen)
+    return pull, float(own - slope @ pull), float(seen + pull @ uphill)
