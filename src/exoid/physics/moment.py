@@ -11,6 +11,8 @@ from jaxtyping import Array, Float
 from exoid.physics.cycle_shape import cycle_shape
 from exoid.physics.ratios import Ratios
 
+CARRIED = 2.5  # of a rate times the step: Runge-Kutta of order four carries 2.8
+
 
 class Cycle(eqx.Module):
     """The voluntary cycle of Eq. 10; of amplitude 0 where nothing is voluntary."""

@@ -2,7 +2,7 @@
 
 import jax.numpy as jnp
 
-from exoid.physics.moment import Moment
+from exoid.physics.moment import CARRIED, Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Scalar
 
@@ -24,18 +24,19 @@ class StretchReflex(PhysicsTerm):
     )
     isolate = "drops from several angles, so that only some pass the threshold; EMG"
     living = True
-    substeps = 4  # at 25 Hz the shortest delay is carried
+    substeps = 4  # at 25 Hz a delay of 0.02 s is carried
     memory_size = STAGES + 1
 
     gain: Parameter = parameter("g", "N m s/rad", 0.0, 10.0, "reflex gain", (0.1,))
     threshold: Parameter = parameter("v_th", "rad/s", 0.0, 8.0, "threshold of speed", (0.5, 2.0))
-    delay: Parameter = parameter("t_d", "s", 0.02, 0.15, "delay", (0.045,))
+    delay: Parameter = parameter("t_d", "s", 0.004, 0.15, "delay", (0.045,))
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         return self.gain * memory[STAGES]
 
     def memory_rate(self, now: Moment, memory: Memory) -> Memory:
         before = jnp.concatenate([now.angular_velocity[None], memory[: STAGES - 1]])
-        passing = (before - memory[:STAGES]) * (STAGES / self.delay)
+        shortest = STAGES * now.place.step / CARRIED
+        passing = (before - memory[:STAGES]) * (STAGES / jnp.maximum(self.delay, shortest))
         stretched = jnp.maximum(0.0, -memory[STAGES - 1] - self.threshold)
         return jnp.append(passing, (stretched - memory[STAGES]) / RISE)

@@ -2,11 +2,10 @@
 
 import jax.numpy as jnp
 
-from exoid.physics.moment import Moment
+from exoid.physics.moment import CARRIED, Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Scalar
 
-CARRIED = 2.0  # of a rate times the step: Runge-Kutta of order four carries 2.8
 SHARPEST = 0.009  # rad, yield angle below which it is dry friction whose contacts bend first
 
 
