@@ -15,6 +15,7 @@ from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import declared_slopes
 from exoid.fitting.model.coordinates import TYPICAL, places
 from exoid.fitting.model.term_parameters import parameters_of
+from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.multistart.weight_by_kind import explained
 from exoid.fitting.solve.ask import advance, lowest, take, task, told_at
 from exoid.fitting.solve.problem import Problem
@@ -22,6 +23,8 @@ from exoid.fitting.solve.program_values import Solved
 
 CONVINCING = 3.0  # gain of log likelihood from which on a seat is held for tilted
 STEEPEST = np.radians(5.0)  # standard deviation of its tilt
+SLANT = np.radians(2.5)  # standard deviation where a leg's mass lies beside its line
+FOOT = 0.5  # of legs whose does, before one is seen
 LYING = 2.0  # times it: a fit with a seat that is tilted by more takes it for something else
 FINE = 1e-2  # tolerance, in units of noise
 DISAGREE = 5.0  # standard errors from which on encoder and gyro clearly disagree in scale
@@ -64,6 +67,39 @@ def with_tilted_seats(
     if steepest > LYING * STEEPEST or not gain - price > CONVINCING:
         return problem, free
     return wide, advance(wide, free.coordinates, task(wide, 0.0, wide.steps, FINE))
+
+
+def slanted(problem: Problem, ended: SearchResult) -> dict[str, float]:
+    """How far every quantity may be off, by the odds that the line from the knee to the centre of
+    mass is not where a level seat and the encoder have it: a foot by itself puts it 2 to 3 deg off.
+
+    Data that see this little do not ask for it, and take it for an encoder's zero.
+    """
+    belief, local = problem.belief, ended.local
+    variance = np.zeros(len(problem.quantities))
+    total = local.data + local.prior
+    deviations = [] if "tilt" not in problem.owned else problem.deviation_of("tilt")
+    for entry in [] if belief.rig or not len(deviations) else undeclared(problem, "tilt"):
+        if deviations[entry] < SLANT:
+            seen = found(problem, ended.best, 0, entry, total)
+            gain = seen.likelihood(SLANT) - seen.likelihood(deviations[entry])
+            odds = 1 / (1 + np.exp(-gain) * (1 / FOOT - 1))
+            variance += odds * off(problem, ended, entry, total)
+    return dict(zip(problem.quantities, np.sqrt(variance), strict=True))
+
+
+def off(problem: Problem, ended: SearchResult, entry: int, total: np.ndarray) -> np.ndarray:
+    """The mean square distance of every quantity from what it is, were the seat so much less sure:
+    what it is then is off, and less sure.
+    """
+    place, unit = place_of(ended.best, "tilt", entry), float(TYPICAL.mounting.tilt)
+    less = (unit / SLANT) ** 2 - (unit / problem.deviation_of("tilt")[entry]) ** 2
+    open_ = total.copy()
+    open_[place, place] += less
+    after, slopes = variances(open_), ended.local.quantities
+    step = -less * after[:, place] * ended.point.mounting.tilt[entry] / unit
+    spread = np.einsum("qi,ij,qj->q", slopes, after - variances(total), slopes)
+    return (slopes @ step) ** 2 + np.maximum(spread, 0.0)
 
 
 def likelihood(found: Disturbance) -> float:

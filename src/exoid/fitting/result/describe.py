@@ -15,6 +15,7 @@ from exoid.fitting.model.coordinates import (
     with_inertia,
 )
 from exoid.fitting.multistart.at_odds import at_odds
+from exoid.fitting.multistart.gross_errors import slanted
 from exoid.fitting.multistart.pulled_by_declared import led_astray
 from exoid.fitting.multistart.search_result import SAME_LOSS, SearchResult
 from exoid.fitting.result.agreement import astray, believed, of_the_rest
@@ -75,8 +76,11 @@ def describe(
     basis = Basis(problem, ended, information_at(problem, ended, leaning))
     plain = estimate_ratios(basis, at_bound)
     odds, steps = at_odds(problem, ended), led_astray(problem, ended)
+    beside = slanted(problem, ended)
     ratios = {
-        name: each.widened(steps.get(name, 0.0), least=odds.get(name, 0.0))
+        name: each.widened(steps.get(name, 0.0), least=odds.get(name, 0.0)).widened(
+            beside.get(name, 0.0), cause="tilt"
+        )
         for name, each in plain.items()
     }
     parameters = estimate_leg(basis, ratios, at_bound)

@@ -55,7 +55,7 @@ class Estimate:
             return self
         kept = (self.standard_error / error) ** 2
         shares = {name: kept * share for name, share in (self.limited_by or {}).items()}
-        more = {} if cause is None else {cause: 1 - kept}
+        more = {} if cause is None else {cause: shares.get(cause, 0.0) + 1 - kept}
         return replace(self, standard_error=error, limited_by=shares | more)
 
     @property

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from exoid.fitting.misfit.missed import Disturbance
+from exoid.fitting.multistart.gross_errors import SLANT
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.fit_result import Estimate, MountingFit
 from exoid.fitting.result.remarks.tilt_or_zero import either
@@ -13,7 +14,7 @@ from exoid.fitting.solve.problem import Problem
 WORTH = 0.3  # of a variance, from which on a systematic is named
 WORDS = {
     "zero": "the encoder's zero",
-    "tilt": "the seat's tilt",
+    "tilt": "the seat's tilt, or a foot before the leg's line,",
     "gyro_scale": "the gyro's scale",
     "gyro_bias": "the gyro's bias",
     "clock": "the clock",
@@ -23,7 +24,8 @@ WORDS = {
 }
 ADVICE = {
     "zero": "say how well the encoder's zero is known (angle_zero_uncertainty_deg)",
-    "tilt": "hold a level to the thigh and give thigh_angle_uncertainty_deg",
+    "tilt": "hold a level to the thigh and give thigh_angle_uncertainty_deg, with what the foot "
+    "makes of it",
     "gyro_scale": "turn the node by a known angle and give gyro_scale_uncertainty",
     "gyro_bias": "keep the node still for a while before the release",
     "clock": "compare the clock with a true one and give clock_uncertainty",
@@ -41,6 +43,7 @@ AMISS = (
     " Times by a camera or a node without a crystal may be percents off: d / J goes with them, "
     "m l g / J and c / J with their square (clock_uncertainty)."
 )
+BY_A_FOOT = f"by a foot {np.degrees(SLANT):.2g} deg off in every other leg"
 LOOK = "Look what the encoder shows with the knee extended, and give angle_zero_deg."
 CLEAR = 4.0  # errors from which on a value is worth a sentence
 SCALED = 2e-3  # relative disagreement of encoder and gyro below which it is none worth a word
@@ -75,7 +78,8 @@ def granted(problem: Problem) -> list[str]:
             if name not in one.systematics.declared
             and (name != "gyro_scale" or one.angular_velocity is not None)
         ]
-        said += [f"{words} to {shown(max(each))}"] if each else []
+        foot = f" ({BY_A_FOOT})" if name == "tilt" and not problem.belief.rig else ""
+        said += [f"{words} to {shown(max(each))}{foot}"] if each else []
     if not said:
         return []
     return [
