@@ -76,3 +76,10 @@ def test_many_segments_take_memory_as_many_times_as_few():
         peaks.append(tracemalloc.get_traced_memory()[1] - before)
         tracemalloc.stop()
     assert peaks[1] < 1.2 * 4 * peaks[0]
+
+
+def test_two_loggers_whose_samples_never_fall_on_one_time_tell_no_drift():
+    by_turns = np.arange(TIME.size) % 2 == 0
+    angle = np.where(by_turns, angle_at(TIME), np.nan)
+    rate = np.where(by_turns, np.nan, rate_at(TIME))
+    assert gyro_drift([TIME], [angle], [rate], (ANGLE, RATE)) is None

@@ -75,14 +75,15 @@ def slanted(problem: Problem, ended: SearchResult) -> dict[str, float]:
 
     Data that see this little do not ask for it, and take it for an encoder's zero.
     """
-    belief, local = problem.belief, ended.local
     variance = np.zeros(len(problem.quantities))
-    total = local.data + local.prior
-    deviations = [] if "tilt" not in problem.owned else problem.deviation_of("tilt")
-    for entry in [] if belief.rig or not len(deviations) else undeclared(problem, "tilt"):
-        if deviations[entry] < SLANT:
+    if problem.belief.rig or "tilt" not in problem.owned:
+        return dict(zip(problem.quantities, variance, strict=True))
+    deviation = problem.deviation_of("tilt")
+    total = white(problem, ended.best, 0) + ended.local.prior
+    for entry in undeclared(problem, "tilt"):
+        if deviation[entry] < SLANT:
             seen = found(problem, ended.best, 0, entry, total)
-            gain = seen.likelihood(SLANT) - seen.likelihood(deviations[entry])
+            gain = seen.likelihood(SLANT) - seen.likelihood(deviation[entry])
             odds = 1 / (1 + np.exp(-gain) * (1 / FOOT - 1))
             variance += odds * off(problem, ended, entry, total)
     return dict(zip(problem.quantities, np.sqrt(variance), strict=True))
@@ -111,9 +112,8 @@ def tilted(problem: Problem, free: Solved, row: int) -> Problem | None:
     """With wider priors for the seats whose tilt stands out; None where none does."""
     if "tilt" not in problem.owned:
         return None
-    noise = max(1.0, float(free.misfit[row]) / int(problem.samples.sum()))
     declared = declared_slopes(take(free.coordinates, row), problem.belief.prior)
-    total = told_at(problem, free, row) / noise + declared.T @ declared
+    total = white(problem, free, row) + declared.T @ declared
     deviation = problem.deviation_of("tilt").copy()
     chosen = False
     for entry in undeclared(problem, "tilt"):
@@ -124,6 +124,12 @@ def tilted(problem: Problem, free: Solved, row: int) -> Problem | None:
             if gain > CONVINCING:
                 deviation[entry], chosen = wide, True
     return problem.widened(tilt=deviation) if chosen else None
+
+
+def white(problem: Problem, at: Solved, row: int) -> np.ndarray:
+    """What the data tell at an end point, were all that is left there white noise."""
+    noise = max(1.0, float(at.misfit[row]) / int(problem.samples.sum()))
+    return told_at(problem, at, row) / noise
 
 
 def found(problem: Problem, at: Solved, row: int, entry: int, total: np.ndarray) -> Tilt:

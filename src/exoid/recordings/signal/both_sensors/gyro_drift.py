@@ -73,6 +73,8 @@ def windows(time: Samples, angle: Samples, rate: Samples, noise: tuple[float, fl
     """Neighbouring windows between known samples of both channels."""
     known = ~(np.isnan(angle) | np.isnan(rate))
     time, angle, rate = time[known], angle[known], rate[known]
+    if not time.size:  # two loggers, whose samples never fall on one time
+        return Windows(time, time, time, np.zeros((0, ERRORS.size)))
     count = max(int((time[-1] - time[0]) / WINDOW), 1)
     edges = np.unique(np.searchsorted(time, np.linspace(time[0], time[-1], count + 1)))
     area = np.concatenate([[0.0], np.cumsum(np.diff(time) * (rate[1:] + rate[:-1]) / 2)])
