@@ -8,6 +8,7 @@ from exoid.physics.term import Memory, PhysicsTerm, Scalar
 from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
 
 SLOW = 1e-3  # rad/s, below which it is in proportion to the rate
+VISCOUS = 1.25  # power below which it is hardly more than damping
 
 
 class PowerDrag(PhysicsTerm):
@@ -24,6 +25,9 @@ class PowerDrag(PhysicsTerm):
 
     coefficient: Parameter = parameter("b", "N m s^2/rad^2", 0.0, 2.0, "drag at 1 rad/s", (0.02,))
     power: Parameter = parameter("p", "1", 1.2, 3.0, "power of speed", (1.5,))
+
+    def itself(self) -> bool:
+        return bool(self.power >= VISCOUS)
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         rate = now.angular_velocity
