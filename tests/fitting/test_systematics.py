@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
+from exoid.fitting.result.limiting_systematics import chief, limited_anew, limiting
 from exoid.physics.sensing.clock_rate import ClockRate
 from exoid.recordings.recording import Protocol, Recording, Segment
 from fit_cases import BODY, NOISE
@@ -192,3 +193,22 @@ def test_a_declared_zero_narrows_what_leans_on_it():
     assert sure.ratios[name].standard_error < plain.ratios[name].standard_error
     assert plain.ratios[name].limited_by["zero"] > 0
     assert "zero" not in sure.ratios[name].limited_by
+
+
+def test_notes_tell_what_limits_an_error_as_it_is_after_it_was_widened():
+    """A systematic is most of the variance of m l g / J, until a rival cause is."""
+    before = fit(drops(), multistart=2)
+    name = "gravity_over_inertia"
+    each = before.ratios[name]
+    most = chief(each)
+    assert most is not None
+    old = limiting({**before.parameters, **before.ratios})
+    assert any(f"{each.symbol} ({most[1]:.0%})" in note for note in old)
+    wide = each.widened(2 * each.standard_error, cause="rival causes")
+    assert wide.limited_by[most[0]] + wide.limited_by["rival causes"] <= 1
+    after = limited_anew(replace(before, ratios=before.ratios | {name: wide}), before)
+    assert chief(wide)[0] == "rival causes"
+    told = [note for note in after.notes if "its part of the variance" in note]
+    assert not any(each.symbol in note for note in told)
+    others = [note for note in before.notes if note not in old]
+    assert [note for note in after.notes if note not in told] == others

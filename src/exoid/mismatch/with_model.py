@@ -12,6 +12,7 @@ from exoid.fitting.model import term_parameters
 from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
 from exoid.fitting.result.agreement import astray
 from exoid.fitting.result.fit_result import Estimate, FitResult
+from exoid.fitting.result.limiting_systematics import limited_anew
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.conclude.asserted import same_cause
 from exoid.mismatch.conclude.rivals import (
@@ -61,7 +62,7 @@ def with_model(
         return by_eq9(unclaimed(found, reasons))
     if after is None or not after.follows:
         return found
-    return told_by(found, with_rivals(after, work, work.best))
+    return told_by(found, limited_anew(with_rivals(after, work, work.best), after))
 
 
 def doubts(found: Diagnosis, after: FitResult | None) -> list[str]:
@@ -106,6 +107,7 @@ def by_eq9(found: Diagnosis) -> Diagnosis:
     booked, suspected = by_the_fits(found, None)
     inertia = before.parameters["inertia"].value
     place = found.location if inertia is None else found.location.with_inertia(inertia)
+    before = limited_anew(before, found.before)
     same = replace(found, before=before, booked=booked, suspected=suspected, location=place)
     if not found.follows and astray(before.segments):
         return lost(same)

@@ -1,13 +1,14 @@
 """Which systematic limits a number most, and what would narrow it."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.multistart.gross_errors import SLANT
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.result.fit_result import Estimate, MountingFit
+from exoid.fitting.result.fit_result import Estimate, FitResult, MountingFit
 from exoid.fitting.result.remarks.tilt_or_zero import either
 from exoid.fitting.solve.problem import Problem
 
@@ -57,15 +58,29 @@ def chief(each: Estimate) -> tuple[str, float] | None:
 
 
 def limiting(quantities: dict[str, Estimate]) -> list[str]:
-    """One sentence for each systematic that limits something: what, and what to do."""
+    """One sentence for each systematic that limits something: what, and what to do. What else
+    limits a number has a note of its own.
+    """
     found: dict[str, list[str]] = {}
     for each in quantities.values():
-        if each.standard_error and (most := chief(each)):
+        if each.standard_error and (most := chief(each)) and most[0] in WORDS:
             found.setdefault(most[0], []).append(f"{each.symbol} ({most[1]:.0%})")
     return [
         f"{WORDS[name]} limits {', '.join(symbols)} (its part of the variance): {ADVICE[name]}."
         for name, symbols in found.items()
     ]
+
+
+def limited_anew(result: FitResult, before: FitResult) -> FitResult:
+    """The same after its errors were widened from those of `before`: its notes tell what limits a
+    number of its error as it is now.
+    """
+    old, new = (limiting({**each.parameters, **each.ratios}) for each in (before, result))
+    notes = result.notes
+    first = next((at for at, note in enumerate(notes) if note in old), len(notes))
+    behind = [note for note in notes[first:] if note not in old]
+    kept = new if first < len(notes) else []  # where there were none, none is to be told
+    return replace(result, notes=[*notes[:first], *kept, *behind])
 
 
 def granted(problem: Problem) -> list[str]:
