@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from exoid.fitting.errors.profile import RISE, crossing, profiles
+from exoid.fitting.errors.profile import RISE, crossing, cut, profiles
 from exoid.fitting.estimate import fit
 from fit_cases import BODY, DROP, LOADED, recorded
 
@@ -109,3 +109,13 @@ def test_a_profile_agrees_with_its_error_where_the_model_misses_something():
         half = (profile.upper - profile.lower) / 2
         # An interval of a skewed profile is not symmetric, but as wide within a fifth.
         assert half == pytest.approx(np.sqrt(RISE) * each.standard_error, rel=0.2)
+
+
+def test_a_curve_that_a_wider_error_stretches_ends_on_its_limits():
+    """Of a parabola, whose root is linear, and which stays one."""
+    value = np.linspace(-1.0, 3.0, 9)
+    kept, rise = cut(value, (value - 1.0) ** 2, 4, (-0.3, 9.0))
+    assert kept[0] == -0.3
+    assert kept[-1] == 3.0
+    np.testing.assert_allclose(rise, (kept - 1.0) ** 2, atol=1e-12)
+    assert crossing(kept[kept <= 1.0][::-1], rise[kept <= 1.0][::-1]) is None

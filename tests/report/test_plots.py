@@ -18,6 +18,7 @@ from exoid.report.pictures.determined import SOURCES
 from exoid.report.pictures.motion import SHOWN, chosen_segments
 from exoid.report.pictures.profiles import digits
 from exoid.report.plots.fit import plot_fit, save_figure
+from exoid.report.words.astray import WARNING
 from exoid.report.words.typeset import mathtext
 
 SIGNATURES = {"pdf": b"%PDF-", "svg": b"<?xml", "png": b"\x89PNG"}
@@ -414,3 +415,11 @@ def test_existing_figure_survives_a_failing_save(tmp_path, monkeypatch):
 def test_missing_folder_for_a_figure_is_named(tmp_path):
     with pytest.raises(ValueError, match=r"absent does not exist\. Make it first"):
         save_figure(Figure(), tmp_path / "absent" / "fit.pdf")
+
+
+def test_a_figure_of_a_fit_that_does_not_follow_says_so_and_shows_no_intervals():
+    """A figure is pasted into a file without the words of the terminal."""
+    lost = replace(fitted(), astray="it misses the angle by 3 deg")
+    assert WARNING in texts(plot_fit(lost, profiled()))
+    assert WARNING not in texts(plot_fit(fitted(), profiled()))
+    assert "95 %" not in texts(plot_fit(lost, profiled()))

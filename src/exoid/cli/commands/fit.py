@@ -179,7 +179,7 @@ def fit(
     others = [Path(terms)] if terms and terms.endswith(".py") else []
     others += [model] if model else []
     origin = origin_of(inputs(paths, dbc, *others), asked) if save or report else None
-    wanted = (plot is not None or json is not None) and not each
+    wanted = (plot is not None or json is not None) and not each and result.follows
     profiles = files.attempt(lambda: profiled(result), "profiling", None) if wanted else None
     sources, more = list(zip(paths, named, strict=True)), {"told": told, "profiles": profiles}
     files.put(

@@ -67,6 +67,8 @@ class ProfiledQuantity:
     step: float  # about one standard error
     noise_scale: float
     wider: float  # times: its error holds what leads a fit astray, too, which no loss shows
+    lowest: float  # that it can be
+    highest: float
 
 
 def profiles(result: FitResult) -> dict[str, Profile]:
@@ -83,7 +85,12 @@ def profiles(result: FitResult) -> dict[str, Profile]:
     basis = result.basis
     if basis is None:
         raise ValueError("every segment was fitted alone: there is no one fit to profile.")
-    quests = [quest for name, each in named(result) if (quest := posed(basis, name, each))]
+    limits = limits_of(result.parameters)
+    quests = [
+        quest
+        for name, each in named(result)
+        if (quest := posed(basis, name, each, limits.get(name, (-np.inf, np.inf))))
+    ]
     request = StartRequest(
         noise_scale=np.repeat([each.noise_scale for each in quests], POINTS)[:, None]
         * basis.ended.disturbance.weighing(basis.problem.kinds),
@@ -112,13 +119,32 @@ def named(result: FitResult) -> list[tuple[str, Estimate]]:
     return [*result.parameters.items(), *tau, *result.ratios.items(), *result.of_terms.items()]
 
 
+def limits_of(parameters: dict[str, Estimate]) -> dict[str, tuple[float, float]]:
+    """Between which values a parameter can be, and that a ratio of one that cannot be negative
+    cannot be either.
+    """
+    limits = {name: ends(each) for name, each in parameters.items()}
+    ratios = {
+        f"{name}_over_inertia": (0.0, np.inf) for name, (lower, _) in limits.items() if lower >= 0
+    }
+    return limits | ratios
+
+
+def ends(each: Estimate) -> tuple[float, float]:
+    """The least and the largest that it can be."""
+    lower = -np.inf if each.lower is None else each.lower
+    return lower, np.inf if each.upper is None else each.upper
+
+
 def weights_of(name: str, basis: Basis) -> np.ndarray:
     """Which of `coordinates.quantities` this is, or a mean of which."""
     wanted = basis.problem.quantities_of(name)
     return np.isin(basis.problem.quantities, wanted) / len(wanted)
 
 
-def posed(basis: Basis, name: str, estimate: Estimate) -> ProfiledQuantity | None:
+def posed(
+    basis: Basis, name: str, estimate: Estimate, limits: tuple[float, float]
+) -> ProfiledQuantity | None:
     """Where to look for one quantity; None where it does not exist, as m of a rig."""
     weights = weights_of(name, basis)
     gradient = weights @ basis.ended.local.quantities
@@ -136,7 +162,7 @@ def posed(basis: Basis, name: str, estimate: Estimate) -> ProfiledQuantity | Non
         return None
     targets = value + step * np.linspace(-REACH, REACH, POINTS)
     scale = matching(basis, gradient, estimate.standard_error)
-    return ProfiledQuantity(name, estimate, weights, targets, float(step), scale, wider)
+    return ProfiledQuantity(name, estimate, weights, targets, float(step), scale, wider, *limits)
 
 
 def matching(basis: Basis, gradient: np.ndarray, error: float | None) -> float:
@@ -183,6 +209,8 @@ def traced(quest: ProfiledQuantity, value: np.ndarray, twice: np.ndarray) -> Pro
     value, rise = value[good], twice[good] - twice[good].min()
     best = int(np.argmin(rise))
     value = value[best] + quest.wider * (value - value[best])
+    value, rise = cut(value, rise, best, (quest.lowest, quest.highest))
+    best = int(np.argmin(rise))
     return Profile(
         name=quest.name,
         estimate=quest.estimate,
@@ -191,6 +219,21 @@ def traced(quest: ProfiledQuantity, value: np.ndarray, twice: np.ndarray) -> Pro
         lower=crossing(value[: best + 1][::-1], rise[: best + 1][::-1]),
         upper=crossing(value[best:], rise[best:]),
     )
+
+
+def cut(
+    value: np.ndarray, rise: np.ndarray, best: int, limits: tuple[float, float]
+) -> tuple[np.ndarray, np.ndarray]:
+    """The curve without what a wider error moved beyond the limits; it ends on them, where its
+    root is linear between the points.
+    """
+    low, high = min(limits[0], value[best]), max(limits[1], value[best])
+    inside = (value >= low) & (value <= high)
+    if inside.all():
+        return value, rise
+    met = [end for end in (low, high) if value[0] < end < value[-1] and end not in value]
+    along = np.sort([*value[inside], *met])
+    return along, np.interp(along, value, np.sqrt(np.maximum(rise, 0.0))) ** 2
 
 
 def crossing(value: np.ndarray, rise: np.ndarray) -> float | None:

@@ -28,6 +28,7 @@ from exoid.report.pictures.search import (
 from exoid.report.plots.arrange import draw_bands, draw_rows, head
 from exoid.report.plots.draw import draw, name_all
 from exoid.report.plots.style import TEXT
+from exoid.report.words.astray import WARNING
 
 FORMATS = ("pdf", "svg", "png")
 RESOLUTION = 160  # dots per inch of a png
@@ -38,20 +39,23 @@ MOTION = 4.8  # inches that its four panels need
 SOURCES = 3.3  # inches
 PROFILES = 2.3  # inches per row
 WORDS = 30  # letters across a panel
+BANNER: dict[str, Any] = {"fontweight": "bold", "color": "tab:red"}
 EMBEDDED: dict[Any, Any] = {"pdf.fonttype": 42, "svg.fonttype": "path"}
 
 
 def plot_fit(result: FitResult, profiles: dict[str, Profile] | None = None) -> Figure:
     """Angle and angular velocity with their residuals per segment; below, what determined the
-    numbers, and how much worse the fit gets where one of them is held elsewhere.
+    numbers, and how much worse the fit gets where one of them is held elsewhere: of a fit that does
+    not follow its recording that says nothing, and the figure says what it is.
 
     >>> exoid.plot_fit(exoid.fit("drops.csv")).savefig("fit.png")
     """
     segments = chosen_segments(result)
     gyro = any(each.angular_velocity is not None for each in segments)
+    known = profiles if profiles and result.follows else {}
     bands = ceil(len(segments) / ACROSS)
     across = ceil(len(segments) / bands)
-    curves = [[profile_of(each) for each in row] for row in rows_of(profiles or {})]
+    curves = [[profile_of(each) for each in row] for row in rows_of(known)]
     heights = [MOTION * bands, SOURCES, *([PROFILES * len(curves) + 0.5] if curves else [])]
     with rc_context(TEXT):
         size = (max(NARROWEST, SEGMENT * across), sum(heights))
@@ -63,11 +67,19 @@ def plot_fit(result: FitResult, profiles: dict[str, Profile] | None = None) -> F
         if curves:
             head(parts[2], "How far each quantity can move before the fit gets worse")
             draw_rows(parts[2], curves, 5)
-        if len(segments) < len(result.segments):
-            figure.suptitle(
-                f"The {len(segments)} of {len(result.segments)} segments with the largest RMSE"
-            )
+        if title := title_of(result, len(segments)):
+            figure.suptitle(title, **({} if result.follows else BANNER))
     return figure
+
+
+def title_of(result: FitResult, shown: int) -> str:
+    """That the fit does not follow its recording; how many segments are not shown."""
+    some = f"The {shown} of {len(result.segments)} segments with the largest RMSE"
+    lines = [
+        *([] if result.follows else [WARNING]),
+        *([some] if shown < len(result.segments) else []),
+    ]
+    return "\n".join(lines)
 
 
 def draw_sources(figure: SubFigure, result: FitResult) -> None:

@@ -17,6 +17,7 @@ from exoid.report.tables.leg import (
     terms,
 )
 from exoid.report.tables.table import print_table
+from exoid.report.words.astray import astray
 from exoid.report.words.estimate import AT_BOUND, written
 from exoid.report.words.text import aligned, by_reason, capital, heading, in_degrees, note, say
 from exoid.trust.identifiability import Identifiability
@@ -54,7 +55,7 @@ def print_astray(result: FitResult, console: Console) -> None:
     """That the fit does not follow its recording, or some of it, before any number."""
     if not result.follows:
         heading(console, "This fit does not follow its recording")
-        say(console, f"{capital(result.notes[0])}")
+        say(console, astray(result))
     for sentence in of_the_rest(result.segments, result.disturbance):
         heading(console, "This fit follows a part of its recording only")
         say(console, f"{capital(sentence)}")

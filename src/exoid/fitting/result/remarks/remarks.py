@@ -33,6 +33,7 @@ RULES = {
     REACH: "that J / (m l) of a leg is no longer than the leg from knee to toe",
 }
 SLIGHT = 1e-3  # of m l g, below which an unknown torque changes no number that anybody reads
+ASK_DIAGNOSE = "; 'exoid diagnose' asks what the model lacks"
 INCOMPLETE = "no error bar of a model that misses something is complete"
 
 
@@ -168,8 +169,7 @@ def of_astray(why: str | None, belief: Belief, several: bool) -> list[str]:
     weighed = "; without --misfit paper every sample is weighed by its noise" if belief.raw else ""
     return [
         f"the simulation does not follow the recording: {why}. Do not use these numbers: check "
-        f"units, signs, zero and marks of the recording{masses}{yours}; 'exoid diagnose' asks "
-        f"what the model lacks{weighed}."
+        f"units, signs, zero and marks of the recording{masses}{yours}{ASK_DIAGNOSE}{weighed}."
     ]
 
 
