@@ -284,6 +284,35 @@ def test_where_a_spring_is_slack_counts_once_in_a_difference():
     assert both.error == pytest.approx((0.5**2 + 0.3**2) ** 0.5)
 
 
+def test_a_spring_slack_elsewhere_leads_both_sides_of_one_leg_astray_alike():
+    """It leaves c / J open in proportion; what one leg has anew is a sixth of it: 5 of 30 deg."""
+    first = Estimate("c / J", "stiffness over inertia", "1/s^2", 10.0, 0.1, if_slack=1.5)
+    second = replace(first, value=6.0, if_slack=0.9)
+    each = ("stiffness_over_inertia", "c / J", "1/s^2", first, second)
+    own = 0.1 * 2**0.5
+    two = ComparedQuantity(*each)
+    assert two.error == pytest.approx(np.hypot(own, np.hypot(1.5, 0.9)))
+    one = ComparedQuantity(*each, one_leg=True)
+    assert one.error == pytest.approx(np.hypot(own, np.hypot(0.6, np.hypot(1.5, 0.9) / 6)))
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "same"),
+    [
+        ({"id": "P1", "side": "left"}, {"id": "P1", "side": "left"}, True),
+        ({"id": "P1", "side": "left"}, {"id": "P1", "side": "right"}, False),
+        ({"id": None, "side": "left"}, {"id": None, "side": "left"}, False),
+        (None, None, False),
+    ],
+)
+def test_one_leg_is_what_both_sidecars_call_so(first, second, same, sides):
+    each = [
+        replace(side, recordings=[{**SOURCES[0], "subject": subject}])
+        for side, subject in zip(sides, (first, second), strict=True)
+    ]
+    assert compare(*each).quantities[0].one_leg == same
+
+
 def test_a_comparison_names_the_settings_that_differ_and_no_other(sides):
     found = compare(*sides)
     assert found.settings == {"seed": ("7", "8")}
@@ -302,7 +331,7 @@ def test_a_comparison_fits_eighty_columns_and_json(sides):
     assert "not determined" in text
     assert "7 -> 8" in text
     assert "+22 ± 13 %" in text  # 0.1 of 0.451, each with an error of 0.0405
-    assert "No recording tells J" not in text
+    assert "neither recording tells" not in text
     document = comparison_document(compare(*sides), sides)
     assert json.loads(json.dumps(document, allow_nan=False)) == document
     assert document["quantities"]["inertia"]["difference"] == pytest.approx(0.1)

@@ -6,11 +6,13 @@ from math import hypot
 from typing import Any
 
 from exoid.fitting.result.fit_result import RIVALS, Estimate, FitResult
+from exoid.fitting.result.remarks.slack_angle import BENT, TOLD
 from exoid.physics.term import name_of
 from exoid.report.saved.saved_result import SavedResult
 
 ABSENT = "not told"
 WITH_INERTIA = ("mass", "inertia", "com_distance", "gravity_moment", "torque_amplitude")
+ANEW = TOLD / BENT  # of what the slack angle leaves open, that one leg has anew in every session
 HASHED = 12  # digits of a hash that are shown
 
 
@@ -24,6 +26,7 @@ class ComparedQuantity:
     first: Estimate | None
     second: Estimate | None
     assumed: bool = False  # it goes with a J that neither recording tells
+    one_leg: bool = False  # whose spring is slack at the same angle in both
 
     @property
     def each(self) -> list[Estimate]:
@@ -42,13 +45,21 @@ class ComparedQuantity:
 
     @property
     def error(self) -> float | None:
-        """Of the difference, of independent fits; of what is assumed alike, the difference is no
-        finding and has none.
+        """Of the difference, of independent fits with what a spring slack elsewhere leaves open; of
+        what is assumed alike, the difference is no finding and has none.
         """
-        errors = [error for one in self.each if (error := error_of(one)) is not None]
-        if self.assumed or self.difference is None or len(errors) < 2 or not hypot(*errors) > 0:
+        errors = [one.standard_error for one in self.each if one.standard_error is not None]
+        if self.assumed or self.difference is None or len(errors) < 2:
             return None
-        return hypot(*errors)
+        return hypot(*errors, *self.slack) or None
+
+    @property
+    def slack(self) -> tuple[float, ...]:
+        """What a spring slack elsewhere leaves open of it. Both sides of one leg are off
+        alike, but for as much as its slack angle is anew in every session.
+        """
+        first, second = (slack_of(one) for one in self.each)
+        return (second - first, ANEW * first, ANEW * second) if self.one_leg else (first, second)
 
     @property
     def standard_errors(self) -> float | None:
@@ -67,11 +78,23 @@ class Comparison:
     same_recordings: bool
 
 
-def error_of(each: Estimate) -> float | None:
-    """With what a spring slack elsewhere leaves open, which errors of a diagnosis hold already."""
-    if each.standard_error is None or RIVALS in (each.limited_by or {}):
-        return each.standard_error
-    return hypot(each.standard_error, each.if_slack or 0.0)
+def slack_of(each: Estimate) -> float:
+    """What a spring slack elsewhere leaves open, where errors of a diagnosis do not hold it."""
+    return 0.0 if RIVALS in (each.limited_by or {}) else each.if_slack or 0.0
+
+
+def legs(saved: SavedResult) -> set[tuple[Any, Any]]:
+    """Whose legs were recorded, by the id and side of the sidecars; an id that is None is nobody's
+    name.
+    """
+    each = [one.get("subject") or {} for one in saved.recordings]
+    return {(one.get("id"), one.get("side")) for one in each}
+
+
+def is_one_leg(first: SavedResult, second: SavedResult) -> bool:
+    """Do the sidecars say that both are of one leg?"""
+    both = legs(first) | legs(second)
+    return len(both) == 1 and all(name is not None for name, _ in both)
 
 
 def quantities_of(result: FitResult) -> dict[str, Estimate]:
@@ -96,11 +119,12 @@ def compare(first: SavedResult, second: SavedResult) -> Comparison:
     """Parameters, torque amplitude and ratios of both, and the settings that differ."""
     one, other = (quantities_of(each.result) for each in (first, second))
     alike = all(assumes_inertia(each.result) for each in (first, second))
+    one_leg = is_one_leg(first, second)
     rows = []
     for name in {**one, **other}:
         known, sides = one.get(name) or other[name], (one.get(name), other.get(name))
         assumed = alike and goes_with_inertia(name, one | other)
-        rows.append(ComparedQuantity(name, known.symbol, known.unit, *sides, assumed))
+        rows.append(ComparedQuantity(name, known.symbol, known.unit, *sides, assumed, one_leg))
     same = hashes(first) == hashes(second) != []
     differ = changed(asked(first), asked(second))
     if not same:  # then the sidecars are others by nature

@@ -1,5 +1,6 @@
 """Two saved results side by side, as a person reads them, and as JSON."""
 
+from math import degrees
 from pathlib import PurePath
 from typing import Any
 
@@ -7,6 +8,7 @@ from rich.console import Console
 
 from exoid.files.counted import counted
 from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.remarks.slack_angle import TOLD
 from exoid.report.document.fit_json import entry
 from exoid.report.document.plain_json import plain
 from exoid.report.saved.saved_result import SavedResult
@@ -29,6 +31,7 @@ from exoid.report.words.text import (
 )
 
 SIDES = ("first", "second")
+SAME = f"{degrees(TOLD):.0f} deg"
 CLEARLY = 3.0  # errors of a difference, from which on a value is a measure for it
 
 
@@ -38,7 +41,7 @@ def print_comparison(found: Comparison, sides: list[SavedResult], console: Conso
     say(
         console,
         "± one standard error. Second - first is told in % of the first, or in its unit where that "
-        "may be 0, for independent fits, and holds what 'if slack' leaves open.",
+        f"may be 0, for independent fits{of_slack(found.quantities)}.",
     )
     if found.same_recordings:
         why = "what was asked differently" if found.settings else "rounding, or where starts began"
@@ -48,8 +51,8 @@ def print_comparison(found: Comparison, sides: list[SavedResult], console: Conso
     if assumed:
         say(
             console,
-            f"No recording tells J, with which these go: {', '.join(assumed)}. Compare the ratios "
-            "to J.",
+            f"{', '.join(assumed)} go with J, which neither recording tells, and are not compared: "
+            "look at the ratios to J.",
         )
     for sentence in strangers(found, sides):
         say(console, sentence)
@@ -64,6 +67,18 @@ def print_comparison(found: Comparison, sides: list[SavedResult], console: Conso
     if not found.settings:
         say(console, "Nothing: the settings are the same.")
     aligned(console, {name: f"{a} -> {b}" for name, (a, b) in found.settings.items()})
+
+
+def of_slack(each: list[ComparedQuantity]) -> str:
+    """What the errors of differences hold of where the spring is slack."""
+    if not any(one.error is not None and any(one.slack) for one in each):
+        return ""
+    if each[0].one_leg:
+        return f", of one leg whose spring is slack at the same angle in both, to {SAME}"
+    return (
+        ", and holds what 'if slack' leaves open as of two legs; of one leg it is less: give both "
+        "sidecars the same [subject] id and side"
+    )
 
 
 def quantities(each: list[ComparedQuantity]) -> Table:

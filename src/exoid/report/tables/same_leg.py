@@ -4,6 +4,8 @@ from exoid.report.saved.saved_result import SavedResult
 from exoid.report.tables.compare import ComparedQuantity, Comparison
 from exoid.trust.legs import COMMON, LARGE, SURPRISE
 
+FAR = 20.0  # errors, from which on their number says nothing more
+
 
 def strangers(found: Comparison, sides: list[SavedResult]) -> list[str]:
     """Sentences on what tells that they are not; none of one recording that was analysed twice."""
@@ -20,9 +22,16 @@ def strangers(found: Comparison, sides: list[SavedResult]) -> list[str]:
         values = " and ".join(f"{value:.3g}" for value in worst.values)
         said.append(
             f"They do not look like one leg, or it changed: {worst.symbol} = {values} "
-            f"{worst.unit}, {abs(worst.standard_errors or 0.0):.0f} standard errors apart."
+            f"{worst.unit}, {how_far(abs(worst.standard_errors or 0.0))}."
         )
     return said
+
+
+def how_far(errors: float) -> str:
+    """How many errors apart, as long as that is a number for a person."""
+    if errors > FAR:
+        return "farther apart than errors can be"
+    return f"{errors:.0f} standard errors apart"
 
 
 def names(saved: SavedResult) -> list[str]:
