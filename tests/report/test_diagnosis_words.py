@@ -5,14 +5,16 @@ from typing import Any
 
 import jax.numpy as jnp
 import pytest
-from diagnosis_by_hand import doubtful, found, novel
+from diagnosis_by_hand import doubtful, found, nothing, novel
 
 from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.remarks.remarks import ASK_DIAGNOSE
 from exoid.mismatch.answer.diagnosis import Booked, Finding, NovelTorque, Parameter, Suspect
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.report.tables.diagnosis import suspects
+from exoid.report.words.astray import astray
 from exoid.report.words.diagnosis.cause import parameter
 from exoid.report.words.diagnosis.leg import beside
 from exoid.report.words.diagnosis.sentences import sentences
@@ -244,3 +246,17 @@ def test_a_notebook_shows_a_torque_over_an_inertia_that_nobody_knows():
     assert "coulomb_friction.level / J = 0.2222 ± 0.0044 1/s^2" in repr(with_inertia(UNTOLD))
     assert "coulomb_friction.level = 0.1 ± 0.002 N m" in repr(found())
     assert "1/s^2" in with_inertia(UNTOLD)._repr_html_()
+
+
+def test_what_cannot_be_excluded_is_no_reason_why_nothing_is_missing():
+    none = replace(nothing(), reasons=["± of d / J covers what this recording cannot exclude"])
+    said = sentences(none)
+    assert "Why" not in said
+    assert said["Note"].endswith("cannot exclude.")
+
+
+def test_a_diagnosis_does_not_ask_for_a_diagnosis():
+    advice = "check units and signs" + ASK_DIAGNOSE
+    lost = replace(found().before, astray="it misses the angle", notes=[f"{advice}."])
+    assert "exoid diagnose" in astray(lost)
+    assert astray(lost, diagnosed=True) == "Check units and signs."

@@ -108,8 +108,9 @@ def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
     share = sum((parts[name] / spread[name] ** 2 for name in wide), np.zeros(len(each)))
     rivals = [words(names(each[k])) or "Eq. 9 alone" for k in np.flatnonzero(share > LARGE)]
     rivals += [SLACK] if any(spread[name] == slack.get(name) for name in wide) else []
-    note = f"± of {', '.join(wide.values())} covers that it may be another cause: "
-    note += f"{', '.join(rivals)}."
+    named = shown is not found.base
+    doubt = "that it may be another cause" if named else "what this recording cannot exclude"
+    note = f"± of {', '.join(wide.values())} covers {doubt}: {', '.join(rivals)}."
     lost = 0 if result.follows else 1  # of the notes: that it does not follow comes first
     notes = [*result.notes[:lost], *([note] if wide else []), *result.notes[lost:]]
     return replace(

@@ -59,14 +59,12 @@ def draw_causes(figure: SubFigure, found: Diagnosis) -> None:
 
 
 def proof(found: Diagnosis) -> str:
-    """How well held-out data are predicted."""
+    """How well held-out data are predicted, without and with what was found."""
     before, after, floor = (
         in_degrees(each)
         for each in (found.proof.before.total, found.proof.after.total, found.proof.noise_floor)
     )
-    now = by_what(found) or " after"
-    return fill(
-        f"On held-out data: angle RMSE {before} deg before, {after} deg{now}, noise floor "
-        f"{floor} deg",
-        WIDEST,
-    )
+    told = f"{before} deg before, {after} deg{by_what(found) or ' after'}"
+    if not found.changed:
+        told = f"{after} deg"
+    return fill(f"On held-out data: angle RMSE {told}, noise floor {floor} deg", WIDEST)

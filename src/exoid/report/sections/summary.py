@@ -16,6 +16,7 @@ from exoid.report.sections.quality import appraisals
 from exoid.report.sections.section import section
 from exoid.report.tables.leg import quantities_of
 from exoid.report.tables.table import Column, Table
+from exoid.report.words.astray import astray
 from exoid.report.words.diagnosis import cause, certainty
 from exoid.report.words.diagnosis.asserted import only_sensors
 from exoid.report.words.diagnosis.verdict import verdict
@@ -94,7 +95,12 @@ def agreement(case: Case) -> Group:
     )
     question = "Does the simulated leg move as the measured one?"
     if not fit.follows:
-        return card(question, "open", "No. Do not use the numbers below.", sentence(fit.notes[0]))
+        return card(
+            question,
+            "open",
+            "No. Do not use the numbers below.",
+            sentence(astray(fit, diagnosed=case.diagnosis is not None)),
+        )
     partly = of_the_rest(fit.segments, fit.disturbance)
     if partly:
         return card(question, "open", "A part of it only.", sentence(partly[0]))

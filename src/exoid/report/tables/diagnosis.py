@@ -5,12 +5,12 @@ from rich.console import Console
 from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
 from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Column, Table, print_table
+from exoid.report.words.astray import astray
 from exoid.report.words.diagnosis.asserted import is_chosen
 from exoid.report.words.diagnosis.leg import beside, tabled
 from exoid.report.words.diagnosis.sentences import sentences
 from exoid.report.words.diagnosis.verdict import headline
 from exoid.report.words.text import (
-    capital,
     causes_in_words,
     heading,
     note,
@@ -33,7 +33,7 @@ def print_diagnosis(found: Diagnosis, console: Console) -> None:
     """The answer, then the candidates with their evidence."""
     if not found.follows:
         heading(console, "No model here follows this recording")
-        say(console, capital(found.fit.notes[0]))
+        say(console, astray(found.fit, diagnosed=True))
     heading(console, headline(found))
     for title, sentence in sentences(found).items():
         say(console, f"{title + ':':{MARGIN}s}{sentence}", MARGIN)

@@ -25,6 +25,7 @@ SAID = (
     "Changed",
     "Remains",
     "Why",
+    "Note",
     "Suspected",
     "The leg",
     "Sensors",

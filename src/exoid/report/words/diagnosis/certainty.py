@@ -69,13 +69,19 @@ def suspected(found: Diagnosis) -> str:
 
 def trust(found: Diagnosis) -> str:
     return (
-        f"the {len(found.pinned)} causes that can act here were tested; chance makes one of them "
-        f"stand out in {chance(found.false_alarm_rate)} of recordings."
+        f"{tested(found)} chance makes one of them stand out in "
+        f"{chance(found.false_alarm_rate)} of recordings."
     )
 
 
+def tested(found: Diagnosis) -> str:
+    """How many causes, and which of them a table lists."""
+    some = ", and those that come closest are listed" if found.singles else ""
+    return f"the {len(found.pinned)} causes that can act here were tested{some};"
+
+
 def chance(share: float) -> str:
-    return "below 0.1 %" if share < CERTAIN else f"{share:.1%}"
+    return "fewer than 0.1 %" if share < CERTAIN else f"{share:.1%}"
 
 
 def certain(share: float) -> str:

@@ -25,7 +25,8 @@ def sentences(found: Diagnosis) -> dict[str, str]:
         lines["Remains"] = remains(found)
         lines["Reason"] = " ".join(explanations(found))
     elif found.reasons:
-        lines["Why"] = "; ".join(found.reasons) + "."
+        heading = "Note" if found.verdict == "none" else "Why"
+        lines[heading] = "; ".join(found.reasons) + "."
         if found.changed:
             lines["Suspected"] = suspected(found)
             lines["Remains"] = remains(found)
