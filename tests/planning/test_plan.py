@@ -1,10 +1,12 @@
 """Plans against what comes of them: the proposed recording, made, fitted and looked at."""
 
 from dataclasses import replace
+from io import StringIO
 
 import jax
 import numpy as np
 import pytest
+from rich.console import Console
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.model.coordinates import quantity_names
@@ -13,6 +15,7 @@ from exoid.physics.torque import NoTorque
 from exoid.planning.plan import plan
 from exoid.planning.prior_knowledge import eliminated
 from exoid.recordings.recording import Subject
+from exoid.report.tables.plan import print_plan
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 from fit_cases import BODY, DROP, LOADED, leg, recorded
@@ -95,6 +98,23 @@ def test_a_loaded_drop_is_first_where_only_bare_ones_were_recorded(bare):
     errors = [option.error for option in found.options]
     assert errors == sorted(errors)
     assert found.after <= found.options[0].error * 1.3  # the simplest of the nearly best
+
+
+def test_of_masses_that_tell_as_much_the_lightest_is_proposed(bare):
+    """A mass is known in proportion, so that a lighter one tells J to nearly the same."""
+    found = plan(bare[1], BODY, "inertia")
+    loaded = [each.motion.added_mass for each in found.proposed if each.motion.added_mass]
+    assert loaded == [0.5]
+    assert found.after <= found.options[0].error * 1.05
+
+
+def test_a_first_plan_lists_what_it_proposes_and_has_nothing_to_be_fitted_with():
+    found = plan(None, BODY, "inertia")
+    console = Console(width=80, file=StringIO())
+    print_plan(found, console, first=True)
+    steps, _, options = console.file.getvalue().partition("One segment more")
+    assert all(each.words in options for each in found.proposed)
+    assert "OLD" not in steps
 
 
 @pytest.mark.proof

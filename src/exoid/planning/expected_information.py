@@ -36,6 +36,7 @@ from exoid.planning.prior_knowledge import PriorKnowledge, eliminated
 MOST = 4  # segments of a proposed recording
 WORTH = 0.85  # of the error before: a further segment that leaves more is not worth its time
 ENOUGH = 2e-3  # of the value: no added mass is weighed, and no leg the same tomorrow, to less
+ALIKE = 1.05  # times the least error of what is as simple: within it the lightest is proposed
 NEAR = 1.3  # of the least error: within it the simplest recording is proposed
 
 
@@ -157,7 +158,9 @@ class Design:
         return self.error(chosen) < ENOUGH * abs(self.value)
 
     def worthwhile(self, chosen: list[Candidate], sets: list[list[Candidate]]) -> list[Candidate]:
-        """The set of least effort among those that are worth it and nearly the best; else none."""
+        """The set of least effort among those that are worth it and nearly the best, of these the
+        one with the least mass to carry that is as good; else none.
+        """
         after = [self.error(chosen + each) for each in sets]
         most = min(WORTH * self.error(chosen), NEAR * min(after))
         near = [
@@ -165,7 +168,16 @@ class Design:
             for each, error in zip(sets, after, strict=True)
             if error < most
         ]
-        return min(near, key=lambda each: each[:2], default=(0.0, 0.0, []))[2]
+        if not near:
+            return []
+        simplest = min(near, key=lambda each: each[:2])
+        alike = [each for each in near if each[0] == simplest[0] and each[1] < ALIKE * simplest[1]]
+        return min(alike, key=lambda each: (carried(each[2]), each[1]))[2]
+
+
+def carried(segments: list[Candidate]) -> float:
+    """The masses on the leg, in all segments together [kg]."""
+    return sum(each.motion.added_mass for each in segments)
 
 
 def mounting_prior(known: PriorKnowledge, options: Iterable[Candidate]) -> np.ndarray:

@@ -119,7 +119,7 @@ def plan(
     from exoid.report.tables.plan import plan_document, print_plan
 
     same = again(terms=terms, **{"with": with_term}, model=model)
-    show(lambda console: print_plan(found, console, same))
+    show(lambda console: print_plan(found, console, same, first=result is None))
     files = Outputs()
     files.put_document(json, lambda: plan_document(found, result, subject))
     files.end(result is None or result.follows)

@@ -18,22 +18,27 @@ from exoid.report.words.text import heading, note, say, shown_unit, told_apart, 
 SHOWN = 8  # single segments in the table
 
 
-def print_plan(plan: Plan, console: Console, model: str = "") -> None:
+def print_plan(plan: Plan, console: Console, model: str = "", *, first: bool = False) -> None:
     """Where the goal stands, what to record, what it will be worth, and the rivals.
 
-    `model` are the options by which the same model is fitted again.
+    `model` are the options by which the same model is fitted again; a `first` recording has no
+    other to be fitted with.
     """
     heading(console, f"What to record next for {plan.goal} {plan.symbol}")
     say(console, f"Now:   {stated(plan, plan.before)}")
     if plan.proposed:
         say(console, f"After: {stated(plan, plan.after)}, expected with what follows")
-        print_steps(plan.proposed, console, model)
+        print_steps(plan.proposed, console, model, first=first)
         print_options(plan, console)
     note(console, plan.sentences)
 
 
-def print_steps(proposed: list[Candidate], console: Console, model: str = "") -> None:
+def print_steps(
+    proposed: list[Candidate], console: Console, model: str = "", *, first: bool = False
+) -> None:
     """What to do, step by step."""
+    together = "fit it together with what there is: exoid fit OLD NEW"
+    then = "fit it: exoid fit NEW" if first else together
     heading(console, f"Record, as segments of {files(proposed)}")
     for number, (words, count) in enumerate(steps(proposed), start=1):
         times = f"{count} times: " if count > 1 else ""
@@ -42,14 +47,21 @@ def print_steps(proposed: list[Candidate], console: Console, model: str = "") ->
         console,
         "Angles are of the knee, 0 straight, -90 hanging. Each time: hold still for 2 s, let "
         f"go without a push, hands off until the leg hangs still, {SWING:g} s at least. The "
-        "person relaxes. Stop where knee or seat do not allow the swing. Then fit it together "
-        f"with what there is: exoid fit OLD NEW{model}.",
+        "person relaxes. Stop where knee or seat do not allow the swing. Then "
+        f"{then}{model}.",
     )
 
 
 def print_options(plan: Plan, console: Console) -> None:
-    """Every single segment, best first, and what it would leave alone."""
-    known = [option for option in plan.options if np.isfinite(option.error)][:SHOWN]
+    """The best single segments and those that are proposed, best first, and what each would leave
+    alone.
+    """
+    finite = [option for option in plan.options if np.isfinite(option.error)]
+    known = [
+        option
+        for number, option in enumerate(finite)
+        if number < SHOWN or option.candidate in plan.proposed
+    ]
     heading(console, "One segment more, and the error it would leave")
     if not known:
         say(console, f"No single segment tells {plan.symbol}: it takes two.")
@@ -61,6 +73,8 @@ def print_options(plan: Plan, console: Console) -> None:
         ),
     }
     print_table(Table("", columns), console)
+    if len({each.words for each in plan.proposed}) > 1:
+        say(console, "Each by itself: what is proposed above tells more together.")
 
 
 def files(proposed: list[Candidate]) -> str:
