@@ -36,8 +36,8 @@ def unlike_anatomy(belief: Belief, gravity: float, error: float = 0.0) -> list[s
         return []
     expected, scatter = length_of(belief.expected)
     return [
-        f"by its motion this leg has J / (m l) = {GRAVITY / gravity:.3g} m, and anatomy expects "
-        f"{expected:.3g} +- {scatter * expected:.2g} m of this body: fewer than one leg in a "
+        f"by its motion this leg has J / (m l) = {GRAVITY / gravity:.3f} m, and anatomy expects "
+        f"{expected:.3f} ± {scatter * expected:.3f} m of this body: fewer than one leg in a "
         "thousand are as far off"
     ]
 

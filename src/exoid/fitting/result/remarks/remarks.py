@@ -52,7 +52,7 @@ def remarks(
     said += of_filter(problem)
     said += of_unused_gyro(problem.movements)
     said += of_memory(problem)
-    said += of_late(problem)
+    said += of_late(problem, ended.disturbance)
     said += of_kept(problem)
     said += noise_remarks(problem.movements)
     gravity = float(ended.best.coordinates.shared.gravity[0])
@@ -120,16 +120,19 @@ def of_memory(problem: Problem) -> list[str]:
     return said
 
 
-def of_late(problem: Problem) -> list[str]:
-    """Which movements begin to count late, though nobody was seen to hold the leg."""
+def of_late(problem: Problem, found: Disturbance) -> list[str]:
+    """Which movements begin to count late, though nobody was seen to hold the leg. What the model
+    misses all the time is likelier there than a slow hand.
+    """
     late = [each for each in problem.movements if each.late]
     if not late:
         return []
     longest = max(float(each.segment.time[each.late]) for each in late)
+    hand = ", as where a hand lets go slowly" if found.cause is None else ""
     return [
         f"the first {longest:.2f} s of segment {', '.join(each.name for each in late)} weigh "
-        "nothing: the recording begins as the leg is let go, and they do not fit to the rest, as "
-        "where a hand lets go slowly. Record from 0.3 s before the release on."
+        "nothing: the recording begins as the leg is let go, and they do not fit to the "
+        f"rest{hand}. Record from 0.3 s before the release on."
     ]
 
 
