@@ -6,10 +6,10 @@ from pathlib import Path
 from exoid.recordings.loading.load import load
 from exoid.recordings.motion.drops import find_drops
 from exoid.recordings.motion.extent import Extent
-from exoid.recordings.motion.pieces import find_pieces
-from exoid.recordings.motion.split import kept_parts
 from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import cut
+from exoid.recordings.splitting.pieces import find_pieces
+from exoid.recordings.splitting.split import kept_parts
 
 Interval = tuple[float, float]  # s
 

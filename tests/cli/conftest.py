@@ -5,7 +5,7 @@ from command_line import Command
 from sessions import DROP, TWO_DROPS, session, write_log
 
 from exoid.recordings.formats.own_table import write_table
-from exoid.recordings.motion.split import split
+from exoid.recordings.splitting.split import split
 
 
 @pytest.fixture(scope="session")

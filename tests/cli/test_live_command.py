@@ -11,7 +11,7 @@ from sessions import LEG, TWO_DROPS, session, write_frames
 
 from exoid.cli.inputs.reading import EXAMPLE
 from exoid.recordings.formats.own_table import write_table
-from exoid.recordings.motion.split import split
+from exoid.recordings.splitting.split import split
 
 
 @pytest.fixture(scope="module")

@@ -12,7 +12,7 @@ from sessions import DROP, LEG, SUBJECT, session
 
 from exoid.cli.commands import plan
 from exoid.recordings.formats.own_table import write_table
-from exoid.recordings.motion.split import split
+from exoid.recordings.splitting.split import split
 from exoid.twin.motion import Movement
 
 LOADED = replace(DROP, added_mass=1.0, added_mass_distance=0.4)

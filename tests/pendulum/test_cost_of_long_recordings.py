@@ -15,9 +15,9 @@ from exoid.recordings.conventions import balance
 from exoid.recordings.conventions.apply import understand
 from exoid.recordings.landmarks import local_polynomial
 from exoid.recordings.motion import find_free
-from exoid.recordings.motion.split import cut_table
 from exoid.recordings.recording import Protocol, Recording, Segment, Subject
 from exoid.recordings.remembered import remembered
+from exoid.recordings.splitting.split import cut_table
 from swings import NOISE, Oscillator, drop
 
 RATE = 100.0  # Hz

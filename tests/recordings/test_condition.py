@@ -6,7 +6,6 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from exoid.recordings.motion.split import measure_period, split
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 from exoid.recordings.signal.condition import (
     best_velocity,
@@ -15,6 +14,7 @@ from exoid.recordings.signal.condition import (
     moving_average,
     torque_frequencies,
 )
+from exoid.recordings.splitting.split import measure_period, split
 
 STEP = 0.01  # s
 

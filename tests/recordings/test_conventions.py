@@ -9,8 +9,8 @@ from exoid.recordings.conventions.apply import understand
 from exoid.recordings.conventions.mounting import REST_SPREAD, RESTS
 from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.loading.load import load
-from exoid.recordings.motion.split import Split, cut_apart
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.splitting.split import Split, cut_apart
 from legs import ADULT, BODY, CHILD, SPASTIC, balance_of, drop, recording
 
 ANGLES = ("raw_angle", "angle")

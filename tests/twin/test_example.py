@@ -7,8 +7,8 @@ import pytest
 
 import exoid
 from exoid.recordings.loading.can_log import read_can_log
-from exoid.recordings.motion.split import split
 from exoid.recordings.sidecar import read_sidecar
+from exoid.recordings.splitting.split import split
 
 FOLDER = Path(exoid.__file__).parent / "example"
 

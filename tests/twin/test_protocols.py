@@ -11,9 +11,9 @@ from cantools.database import load_file
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
 from exoid.recordings.can.dbc import EXOID_DBC
-from exoid.recordings.motion.split import split
 from exoid.recordings.recording import Protocol, Subject
 from exoid.recordings.signal.condition import best_velocity
+from exoid.recordings.splitting.split import split
 from exoid.twin.motion import Movement, perform
 from exoid.twin.protocols import record, session
 from exoid.twin.sensors import Encoder, SensorKit

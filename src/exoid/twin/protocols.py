@@ -10,8 +10,8 @@ from jaxtyping import PRNGKeyArray
 from exoid.physics.leg import LegModel
 from exoid.recordings.filter import kalman
 from exoid.recordings.filter.constants import CURRENT
-from exoid.recordings.motion.split import split
 from exoid.recordings.recording import Kind, Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.splitting.split import split
 from exoid.twin.motion import FrequencyReading, Movement, perform
 from exoid.twin.sensors import TICK, SensorKit, ShownMotion, measure
 

@@ -8,8 +8,8 @@ from scipy.interpolate import BPoly
 from exoid.recordings.landmarks.release import find_release
 from exoid.recordings.landmarks.track import track_of
 from exoid.recordings.motion.drops import find_drops
-from exoid.recordings.motion.split import cut_table
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.splitting.split import cut_table
 from hands import ADULT
 
 STEP = 0.01  # s

@@ -12,8 +12,8 @@ from exoid.recordings.can.logs.log_files import FORMATS, read_log
 from exoid.recordings.can.node.which import nodes_in
 from exoid.recordings.live.decoding.node_stream import NodeStream
 from exoid.recordings.live.decoding.reading import Reading
-from exoid.recordings.motion.split import cut_apart
 from exoid.recordings.recording import Recording, Sensors, Subject
+from exoid.recordings.splitting.split import cut_apart
 from exoid.watching.estimate.expect import check_subject
 from exoid.watching.estimate.load import Load, Mass, mass_of
 

@@ -5,11 +5,11 @@ from typing import Literal
 
 import numpy as np
 
-from exoid.recordings.motion.cycle import find_cycle
 from exoid.recordings.motion.drops import find_drop
 from exoid.recordings.motion.extent import Extent, Motionless
 from exoid.recordings.recording import Recording, Segment
 from exoid.recordings.signal.condition import best_velocity, clip
+from exoid.recordings.splitting.cycle import find_cycle
 
 Clip = Literal["free", "paper"]
 FEWEST = 10  # samples that a movement must have to be fitted

@@ -14,9 +14,9 @@ from exoid.recordings.conventions.apply import understand
 from exoid.recordings.conventions.file_clock import late_starts
 from exoid.recordings.loading.load import load
 from exoid.recordings.loading.warn_user import tell
-from exoid.recordings.motion.split import cut_table
 from exoid.recordings.recording import Protocol, Recording, Sensors, Subject, known
 from exoid.recordings.sidecar import parse_keys
+from exoid.recordings.splitting.split import cut_table
 from exoid.recordings.tables.arrays import sheet_of_arrays
 from exoid.recordings.tables.assemble import assemble
 from exoid.recordings.tables.built import build

@@ -10,8 +10,8 @@ from exoid.recordings.conventions.apply import understand
 from exoid.recordings.defaults import DEFAULTS, keys_told
 from exoid.recordings.formats.own_table import read_table
 from exoid.recordings.formats.sheets import is_table
-from exoid.recordings.motion.split import cut_apart, cut_table
 from exoid.recordings.recording import Recording
+from exoid.recordings.splitting.split import cut_apart, cut_table
 
 LOG_HEADER = b"timestamp,arbitration_id,"  # of python-can's own .csv
 

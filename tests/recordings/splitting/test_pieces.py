@@ -5,10 +5,10 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.interpolate import BPoly
 
-from exoid.recordings.motion.pieces import find_pieces
 from exoid.recordings.motion.signal import signal_of, smoothed, speed_error
-from exoid.recordings.motion.split import kept_parts
 from exoid.recordings.recording import Segment, Sensors
+from exoid.recordings.splitting.pieces import find_pieces
+from exoid.recordings.splitting.split import kept_parts
 
 STEP = 0.01  # s
 LIFTED = 15.0  # s, when a hand begins to lift the leg

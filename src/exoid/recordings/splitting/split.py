@@ -5,12 +5,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from exoid.files.counted import counted
-from exoid.recordings.motion.cycle import find_cycle
 from exoid.recordings.motion.extent import Motionless
-from exoid.recordings.motion.pieces import Piece, find_pieces
 from exoid.recordings.motion.thresholds import PAUSE, REST_KEPT, TAKEN
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, known
 from exoid.recordings.signal.condition import classify, cut
+from exoid.recordings.splitting.cycle import find_cycle
+from exoid.recordings.splitting.pieces import Piece, find_pieces
 
 SHOWN = 8  # of what was left out, by their times: a line that can be read
 Marks = tuple[float, ...]  # s, on the log's clock
