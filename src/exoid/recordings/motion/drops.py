@@ -10,8 +10,10 @@ from functools import lru_cache
 from exoid.recordings.motion.acceleration import Law, derivatives, law_of
 from exoid.recordings.motion.extent import Extent, Motionless
 from exoid.recordings.motion.find_free import find_free
-from exoid.recordings.motion.free_end import Swings, free_end, swung
+from exoid.recordings.motion.free_end import free_end
+from exoid.recordings.motion.own_reversal import swung_freely
 from exoid.recordings.motion.signal import Signal, signal_of, speed_of
+from exoid.recordings.motion.swings import Swings
 from exoid.recordings.motion.thresholds import MARKED, SHORTEST
 from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import classify
@@ -92,7 +94,7 @@ def free_or_not(signal: Signal, handled: bool, shortest: float) -> Extent | Moti
 
 
 def seen_in(signal: Signal, extent: Extent) -> Swings:
-    return swung(signal, speed_of(signal), extent.start, extent.free)
+    return swung_freely(signal, speed_of(signal), extent.start, extent.free)
 
 
 def sure(signal: Signal, extent: Extent) -> slice:

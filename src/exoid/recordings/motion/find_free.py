@@ -6,9 +6,11 @@ import numpy as np
 
 from exoid.recordings.motion.acceleration import Law
 from exoid.recordings.motion.extent import Extent, Motionless
-from exoid.recordings.motion.free_end import free_end, swung
+from exoid.recordings.motion.free_end import free_end
 from exoid.recordings.motion.letting_go import LettingGo, ReleaseWindow, begun_free, let_go
+from exoid.recordings.motion.own_reversal import swung_freely
 from exoid.recordings.motion.signal import Signal, Speed, smoothed, speed_of
+from exoid.recordings.motion.swings import swung
 from exoid.recordings.motion.thresholds import (
     BLOCK,
     CLEAR,
@@ -44,7 +46,7 @@ def find_free(
     gone = 0 if found is None else int(np.searchsorted(signal.time, found.gone))
     held = None if found is None or found.release - signal.time[0] < shortest else found
     start, free = (0, 0) if held is None else (nearest(signal.time, held.release), gone)
-    seen = swung(signal, speed, start, free)
+    seen = (swung_freely if handled else swung)(signal, speed, start, free)
     end = vars(free_end(signal, speed, seen, handled=handled, law=law)) | {"sure": seen.sure.stop}
     if held is None:
         return Extent(None, float(signal.time[0]), 0.0, 0, 0, **end, doubted=gone)
