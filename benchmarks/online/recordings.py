@@ -16,7 +16,6 @@ from exoid.watching.estimate.expect import expected_of
 
 RATIOS = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
 FOLDER = Path(__file__).parents[3] / "shared" / "data"
-BETWEEN = 1.0  # s between segments
 ANY_RIG = (1.5, 1.5, 1.5)  # of log m, log l and log J / (m l)
 
 
@@ -31,11 +30,13 @@ class Said:
 
 def live(recording: Recording) -> Said:
     """By one sample after the other."""
-    model = online.Model(online.Unknowns((), recording.protocol.thigh_angle or 0.0))
+    model = online.Model(
+        online.Unknowns((), recording.protocol.thigh_angle or 0.0), online.node_of(recording)
+    )
     expected = expected_of(recording.subject)
     if recording.subject.kind == "rig":
         expected = replace(expected, covariance=tuple(map(tuple, np.diag(np.square(ANY_RIG)))))
-    _, said = online.replay(online.init(expected, model), samples_of(recording), model)
+    _, said = online.replay(online.init(expected, model), online.samples_of(recording), model)
     told = said.trust[-1] not in (online.Trust.UNEXPLAINED, online.Trust.FAULTY)
     sure = told and said.drops[-1] > 0
     values, errors = (
@@ -43,20 +44,6 @@ def live(recording: Recording) -> Said:
     )
     trust = online.Trust(said.trust[-1]).name.lower()
     return Said(values, errors, f"{said.drops[-1]} drops, {trust}")
-
-
-def samples_of(recording: Recording) -> online.Sample:
-    """All segments, one after the other."""
-    rows, begin = [], 0.0
-    for each in recording.segments:
-        time = each.time - each.time[0] + begin
-        none = np.full(time.size, np.nan)
-        rates = (each.raw_angular_velocity, each.angular_velocity, none)
-        rate = next(one for one in rates if one is not None)
-        torque = np.zeros_like(none) if each.applied_torque is None else each.applied_torque
-        rows.append(np.stack([time, each.best_angle, rate, torque], axis=1))
-        begin = time[-1] + BETWEEN
-    return online.Sample(*np.concatenate(rows).T)
 
 
 def batch(recording: Recording) -> Said:

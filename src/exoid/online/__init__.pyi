@@ -9,7 +9,7 @@ from .model.weighed import Weighed
 from .outlook import Outlook
 from .program import replay, step
 from .readings import Known, estimates
-from .recorded import samples_of
+from .recorded import node_of, samples_of
 
 __all__ = [
     "Agreement",
@@ -28,6 +28,7 @@ __all__ = [
     "drops_of",
     "estimates",
     "init",
+    "node_of",
     "refine",
     "refined",
     "replay",

@@ -13,6 +13,7 @@ from exoid.online.filter.prior import prior_of
 from exoid.online.model.model import Model
 from exoid.online.movement.begin import begin
 from exoid.online.movement.knowledge import Knowledge
+from exoid.online.movement.watch import begun
 from exoid.physics.anatomy import ExpectedLeg, expected_leg
 
 
@@ -38,7 +39,7 @@ def init(expected: ExpectedLeg, model: Model = DEFAULT) -> Belief:
     >>> online.estimates(belief)["gravity_over_inertia"].value > 20.0  # 1/s^2
     True
     """
-    return belief_of(begin(prior_of(expected, model)), model)
+    return belief_of(begin(prior_of(expected, model), model.node), model)
 
 
 def knowledge_of(belief: Belief, model: Model) -> Knowledge:
@@ -52,8 +53,15 @@ def belief_of(known: Knowledge, model: Model) -> Belief:
         return Belief(np.asarray(form(model).packed(known)[0]))
 
 
+def at_begin(belief: Belief, model: Model) -> Belief:
+    """The belief where a movement's record begins with the last sample, so that a leg need not be
+    seen at rest before it is let go.
+    """
+    return belief_of(begun(knowledge_of(belief, model)), model)
+
+
 @cache
 def form(model: Model) -> Form:
     """How knowledge lies in a row, whoever's leg it is of."""
     with jax.enable_x64(True):
-        return Form(begin(prior_of(expected_leg(77.0, 1.80), model)), small=None)
+        return Form(begin(prior_of(expected_leg(77.0, 1.80), model), model.node), small=None)

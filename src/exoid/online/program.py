@@ -5,7 +5,7 @@ program, for a block of which any number of rows may be filled: a live stream an
 the same to the last bit.
 """
 
-from dataclasses import fields
+from dataclasses import fields, replace
 from functools import cache, partial
 from typing import Any
 
@@ -19,7 +19,7 @@ from exoid.fitting.solve.compiled.machine_code import machine_code
 from exoid.fitting.solve.program_cache import kept
 from exoid.online.belief import DEFAULT, Belief, form
 from exoid.online.filter.pack import Form
-from exoid.online.model.model import Model
+from exoid.online.model.model import Model, Node
 from exoid.online.model.sample import Sample
 from exoid.online.one_kernel import OPTIONS, one_kernel
 from exoid.online.outlook import Outlook
@@ -78,8 +78,13 @@ def run(
 ) -> tuple[Belief, Float[np.ndarray, "row column"]]:
     """The belief after the first `count` rows, and what it said after each."""
     with jax.enable_x64(True):
-        after, outlooks = program(model)(belief.numbers, rows, COUNTED[count])
+        after, outlooks = program(without_sensing(model))(belief.numbers, rows, COUNTED[count])
     return Belief(after), np.asarray(outlooks)
+
+
+def without_sensing(model: Model) -> Model:
+    """What a program is compiled for: how samples scatter, a belief says."""
+    return replace(model, node=Node(tilt=model.node.tilt))
 
 
 @cache

@@ -1,11 +1,18 @@
-"""A recording as the samples of a stream."""
+"""A recording as the samples of a stream, and the sensors that sent them."""
+
+from dataclasses import replace
 
 import numpy as np
 
+from exoid.online.model.model import Node
 from exoid.online.model.sample import Sample
 from exoid.recordings.recording import Recording, Segment
+from exoid.recordings.samples import quantile
+from exoid.recordings.signal.noise import OF_ANGLE, OF_RATE, noise_of
 
 PAUSE = 1.0  # s between segments, each of which has a clock of its own
+QUICKEST = 0.0049  # s between samples: of what comes more often, means are followed
+LEAST = 1e-4, 1e-3  # rad, rad/s: no sensor on a leg scatters by less
 
 
 def samples_of(recording: Recording) -> Sample:
@@ -31,9 +38,56 @@ def samples_of(recording: Recording) -> Sample:
 
 
 def columns_of(segment: Segment, begin: float) -> list[np.ndarray]:
-    """Time, angle, rate and torque; NaN where there is no gyro."""
+    """Time, angle, rate and torque, the first at `begin` [s]; NaN where there is no gyro."""
     missing = np.full(segment.time.shape, np.nan)
     rates = (segment.raw_angular_velocity, segment.angular_velocity, missing)
     rate = next(each for each in rates if each is not None)
     torque = np.zeros_like(missing) if segment.applied_torque is None else segment.applied_torque
-    return [segment.time - segment.time[0] + begin, segment.best_angle, rate, torque]
+    time, *others = (
+        means(each, together_of(segment.time))
+        for each in (segment.time, segment.best_angle, rate, torque)
+    )
+    return [time - time[0] + begin, *others]
+
+
+def together_of(time: np.ndarray) -> int:
+    """How many samples become one."""
+    return max(1, int(QUICKEST / quantile(np.diff(time)))) if time.size > 1 else 1
+
+
+def means(values: np.ndarray, together: int) -> np.ndarray:
+    """Of so many samples each; NaN where one of them is."""
+    whole = max(values.size // together, 1) * together
+    return values if together == 1 else values[:whole].reshape(-1, together).mean(axis=1)
+
+
+def node_of(recording: Recording) -> Node:
+    """The sensors of a recording: how often they sent, how much the samples scatter, and what its
+    sidecar says of zero and scale.
+
+    >>> time = np.arange(200) * 0.02  # s
+    >>> shaken = 2e-3 * np.random.default_rng(0).standard_normal(200)  # rad
+    >>> segment = exoid.Segment(time, raw_angle=-0.35 + shaken)
+    >>> node = online.node_of(exoid.Recording((segment,), exoid.Subject(kind="leg")))
+    >>> round(node.period, 3)
+    0.02
+    """
+    times, angles, rates, _ = zip(
+        *(columns_of(each, 0.0) for each in recording.segments), strict=True
+    )
+    said, own = recording.sensors, Node()
+    known = {"zero": said.angle_zero_uncertainty, "scale": said.gyro_scale_uncertainty}
+    return replace(
+        own,
+        angle_noise=level_of(times, angles, said.angle_noise, OF_ANGLE, LEAST[0]),
+        angle_step=0.0,
+        velocity_noise=level_of(times, rates, said.velocity_noise, OF_RATE, LEAST[1]),
+        velocity_step=0.0,
+        period=max(own.period, *(quantile(np.diff(each)) for each in times)),
+        **{name: value for name, value in known.items() if value is not None},
+    )
+
+
+def level_of(times, signals, declared: float | None, swing: float, least: float) -> float:
+    """The standard deviation of a channel's samples, with the steps in which it is told."""
+    return max(noise_of(list(times), list(signals), declared, swing=swing).level, least)

@@ -28,7 +28,7 @@ MOVES = 0.2  # rad/s beyond a gyro's bias: then a leg moves one way
 def take_in(model: Model, belief: Knowledge, row: Float[Array, " 6"]) -> tuple[Knowledge, Outlook]:
     """The belief after one more sample (a row of `Sample`), and what it says."""
     row = finite(row)
-    arrived = look(belief.recent, belief.stream, row)
+    arrived = look(belief.recent, belief.stream, row, belief.sensing.period)
     torn = arrived.torn
     moving = belief.phase == Phase.MOVING
     cut = where_so(moving & torn, lambda now: ended(now, torn), belief)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from exoid.online.model.model import Model
+from exoid.online.model.model import Model, Node
 from exoid.online.model.unknowns import Unknowns
 from exoid.recordings.recording import Subject
 from exoid.watching.beside.coach import Coach
@@ -20,17 +20,18 @@ from exoid.watching.follower import Company
 
 @dataclass(frozen=True)
 class Origin:
-    """Whose leg, with what on it, how the thigh is inclined [rad]; the terms, and the goals."""
+    """Whose leg, with what on it, how the thigh is inclined [rad]; terms, sensors, and goals."""
 
     subject: Subject
     load: Load | Switch = field(default_factory=Load)
     thigh_angle: float = 0.0
     terms: tuple[type[Any], ...] = ()
+    node: Node = field(default_factory=Node)
     goals: Sequence[Goal] = ()
 
     @property
     def model(self) -> Model:
-        return Model(Unknowns(self.terms, self.thigh_angle))
+        return Model(Unknowns(self.terms, self.thigh_angle), self.node)
 
     def company(self, *, coached: bool, refined: bool) -> Company:
         """The leg, its estimator compiled or loaded, with who helps. Takes seconds."""

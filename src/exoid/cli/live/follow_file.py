@@ -22,7 +22,7 @@ WAITING = 4  # batches of samples of a file that are read ahead
 def run_file(name: Path, opened: Opened, wanted: Wanted, speed: float) -> None:
     """Follow a recording until its end, or until the goals are reached."""
     board = Board(wanted.goals)
-    placed = {"load": opened.load, "thigh_angle": opened.thigh_angle}
+    placed = {"load": opened.load, "thigh_angle": opened.thigh_angle, "node": opened.node}
     refined = speed != inf if wanted.refine is None else wanted.refine
     with stoppable() as stopped, viewing(board, name.name, wanted.views) as viewer:
         origin = wanted.origin(opened.subject, **placed)

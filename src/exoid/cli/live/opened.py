@@ -6,8 +6,10 @@ from itertools import pairwise
 from pathlib import Path
 
 from exoid.cli.inputs.reading import take
-from exoid.cli.live.replay import BETWEEN, of_log, of_recording
+from exoid.cli.live.replay import of_log, of_recording
 from exoid.cli.terminal.say import say
+from exoid.online.model.model import Node
+from exoid.online.recorded import PAUSE, node_of
 from exoid.recordings.can.logs.log_files import FORMATS, read_log
 from exoid.recordings.can.node.which import nodes_in
 from exoid.recordings.live.decoding.node_stream import NodeStream
@@ -29,6 +31,7 @@ class Opened:
     thigh_angle: float  # rad
     parts: Callable[[int], Iterator[list[Reading]]]  # so many frames or samples at a time
     stream: NodeStream | None  # what decodes it, of a log of the node
+    node: Node  # the sensors
 
 
 def open_recording(path: Path, body: dict[str, float], node: int | None, **reading) -> Opened:
@@ -50,19 +53,29 @@ def open_recording(path: Path, body: dict[str, float], node: int | None, **readi
     if not of_node:
         tell_of_pauses(path, len(recording.segments))
         return Opened(
-            recording.subject, load, thigh_angle, lambda many: of_recording(recording, many), None
+            recording.subject,
+            load,
+            thigh_angle,
+            lambda many: of_recording(recording, many),
+            stream=None,
+            node=node_of(recording),
         )
     log = read_log(path)
     stream = NodeStream(node if node is not None else (nodes_in(log.frames) or [0])[0])
     return Opened(
-        recording.subject, load, thigh_angle, lambda many: of_log(log, stream, many), stream
+        recording.subject,
+        load,
+        thigh_angle,
+        lambda many: of_log(log, stream, many),
+        stream=stream,
+        node=Node(),
     )
 
 
 def tell_of_pauses(path: Path, count: int) -> None:
     """That segments, each of which has a clock of its own, are put on one."""
     if count > 1:
-        pause = f"{BETWEEN:.0f} s after the one before"
+        pause = f"{PAUSE:.0f} s after the one before"
         say(
             f"exoid: {path.name}: its {count} segments are followed as one stream, each {pause}.",
             err=True,
@@ -143,5 +156,5 @@ def one_after_another(recording: Recording) -> list[tuple[float, float]]:
     for each in recording.segments:
         end = begin + float(each.time[-1] - each.time[0])
         found.append((begin, end))
-        begin = end + BETWEEN
+        begin = end + PAUSE
     return found

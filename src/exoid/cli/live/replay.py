@@ -2,10 +2,11 @@
 
 import time
 from collections.abc import Callable, Iterator
-from math import inf
+from math import inf, isfinite
 
 import numpy as np
 
+from exoid.online.recorded import PAUSE, columns_of
 from exoid.recordings.can.frames import Log
 from exoid.recordings.live.decoding.node_stream import NodeStream
 from exoid.recordings.live.decoding.reading import Reading
@@ -14,7 +15,6 @@ from exoid.recordings.recording import Recording, Segment
 
 AT_ONCE = 3100  # frames: ten seconds of a node
 IN_PACE = 8  # frames, or samples, between two looks at the clock
-BETWEEN = 1.0  # s between segments of a table, each of which has a clock of its own
 LOOKED_EVERY = 0.1  # s
 
 
@@ -33,16 +33,15 @@ def of_recording(recording: Recording, together: int) -> Iterator[list[Reading]]
         every = readings_of(segment, begin)
         for first in range(0, len(every), together):
             yield every[first : first + together]
-        begin = every[-1].time + BETWEEN
+        begin = every[-1].time + PAUSE
 
 
 def readings_of(segment: Segment, begin: float) -> list[Reading]:
-    missing = np.full(segment.time.size, np.nan)
-    rates = (segment.raw_angular_velocity, segment.angular_velocity)
-    rate = next((each for each in rates if each is not None), missing)
-    torque = np.zeros_like(missing) if segment.applied_torque is None else segment.applied_torque
-    columns = (segment.time - segment.time[0] + begin, segment.best_angle, rate, torque)
-    return [Reading(*row) for row in zip(*(each.tolist() for each in columns), strict=True)]
+    rows = zip(*(each.tolist() for each in columns_of(segment, begin)), strict=True)
+    every = [Reading(*row) for row in rows]
+    known = next((at for at, each in enumerate(every) if isfinite(each.angle)), 0)
+    every[known] = every[known]._replace(begins=True)
+    return every
 
 
 def play(

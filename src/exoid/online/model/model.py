@@ -32,6 +32,7 @@ class Node:
     tilt: float = radians(0.2)  # rad, of a seat that looks level
     bias: float = radians(5.0)  # rad/s, of the gyro
     scale: float = 0.015  # relative, of the gyro
+    period: float = 0.01  # s between samples; more often is as well
     clock: float = 1e-4  # relative, of a quartz; the live estimate takes it as exact
 
     @property

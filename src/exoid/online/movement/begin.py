@@ -5,6 +5,7 @@ import numpy as np
 
 from exoid.online.filter.gaussian import Gaussian
 from exoid.online.filter.whiteness import Whiteness
+from exoid.online.model.model import Node
 from exoid.online.model.trust import Phase
 from exoid.online.movement.knowledge import (
     NEVER,
@@ -12,6 +13,7 @@ from exoid.online.movement.knowledge import (
     Kept,
     Knowledge,
     Recent,
+    Sensing,
     Stream,
     Verdict,
 )
@@ -20,8 +22,8 @@ ROWS = 128  # samples: a release is seen 0.1 to 0.5 s late
 DECLARED = 20.0  # samples that the declared noise is worth
 
 
-def begin(prior: Gaussian) -> Knowledge:
-    """Nothing was heard yet."""
+def begin(prior: Gaussian, node: Node) -> Knowledge:
+    """Nothing was heard yet of a leg that carries this node."""
     both = jax.tree.map(lambda one: np.stack([one, one]), prior)
     none, never = np.zeros(()), np.asarray(-np.inf)
     still = np.zeros((2, 2))
@@ -31,6 +33,7 @@ def begin(prior: Gaussian) -> Knowledge:
         older=Kept(both, never, none, np.asarray(0), none),
         before=prior,
         prior=prior,
+        sensing=sensing_of(node),
         scatter=np.full((2, 2), DECLARED),
         phase=np.asarray(int(Phase.HELD)),
         hold=np.asarray(np.nan),
@@ -56,3 +59,8 @@ def begin(prior: Gaussian) -> Knowledge:
             suspected=np.asarray(NEVER),
         ),
     )
+
+
+def sensing_of(node: Node) -> Sensing:
+    declared = (*node.variances, node.delay_wander, node.delay_drift, node.period)
+    return Sensing(*map(np.asarray, declared))

@@ -14,7 +14,7 @@ from exoid.online.filter.whiteness import fails
 from exoid.online.model.trust import Phase
 from exoid.online.movement.evidence import EVIDENCE, evidence
 from exoid.online.movement.knowledge import NEVER, Knowledge
-from exoid.online.movement.watch import DEPARTED, at_rest
+from exoid.online.movement.watch import at_rest, departed
 
 CAUGHT = 3  # samples in a row that are no leg's
 SHORTEST = 0.4  # s of a movement that counts
@@ -26,8 +26,8 @@ SWUNG = 2  # turns after its end by which a movement was no hand's, but one that
 def ended(belief: Knowledge, torn: Bool[Array, ""]) -> Knowledge:
     """Is the movement over, and did it count?"""
     course = belief.course
-    still, place = at_rest(belief.recent)
-    gone = still & (jnp.abs(place - belief.hold) > DEPARTED)
+    still, place = at_rest(belief.recent, belief.sensing.angle)
+    gone = still & (jnp.abs(place - belief.hold) > departed(belief.sensing.angle))
     failing = fails(course.whiteness)[1]
     cut = (course.astray >= CAUGHT) | torn
     over = still | failing | cut

@@ -17,7 +17,7 @@ from exoid.online.model.model import Model
 from exoid.online.model.sample import Sample
 from exoid.online.model.unknowns import AT
 from exoid.online.movement.evidence import evidence
-from exoid.online.movement.knowledge import Course, Kept, Knowledge
+from exoid.online.movement.knowledge import Course, Kept, Knowledge, Sensing
 
 AT_ONCE = 4  # samples a step that are absorbed at most, where some wait
 BRIDGED = 1.5 * TICK  # s, longer steps are taken in pieces of a tick
@@ -53,7 +53,7 @@ def next_one(model: Model, belief: Knowledge) -> Knowledge:
     bridges = whole > BRIDGED
     row = select(bridges, between(course, row, whole), row)
     span = Span(jnp.where(bridges, TICK, whole), jnp.where(course.opened, course.torque, row[3]))
-    noise = noise_of(model, course.scatter)
+    noise = noise_of(belief.sensing, course.scatter)
     taken = jax.vmap(absorb, in_axes=(None, 0, None, None, None))
     after, innovation = taken(model.unknowns, filters, Sample(*row), span, noise)
     skips = ~course.opened & blind
@@ -86,15 +86,14 @@ def opened(filters: Gaussian, row: Float[Array, " 6"]) -> Gaussian:
     return Gaussian(mean, jnp.concatenate([filters.root[:, :-2], both], axis=1))
 
 
-def noise_of(model: Model, scatter: Float[Array, "2 2"]) -> SensorNoise:
+def noise_of(declared: Sensing, scatter: Float[Array, "2 2"]) -> SensorNoise:
     """The sensors' noise as far as it was learned."""
     times = jnp.clip(scatter[:, 0] / scatter[:, 1], *NOISY)
-    angle, rate = model.node.variances
     return SensorNoise(
-        times[0] * angle,
-        times[1] * rate,
-        jnp.asarray(model.node.delay_wander),
-        jnp.asarray(model.node.delay_drift),
+        times[0] * declared.angle,
+        times[1] * declared.angular_velocity,
+        declared.wander,
+        declared.drift,
         jnp.asarray(GATE),
     )
 

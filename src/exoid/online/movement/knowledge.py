@@ -36,6 +36,16 @@ class Kept(eqx.Module):
     evidence: Float[Any, ""]  # that it is another leg
 
 
+class Sensing(eqx.Module):
+    """What a `Node` declares of its samples: one program serves sensors of any noise."""
+
+    angle: Float[Any, ""]  # rad^2, variance
+    angular_velocity: Float[Any, ""]  # (rad/s)^2
+    wander: Float[Any, ""]  # s, see `SensorNoise`
+    drift: Float[Any, ""]  # s in a second
+    period: Float[Any, ""]  # s between samples
+
+
 class Course(eqx.Module):
     """The movement that goes on, or the last one."""
 
@@ -72,6 +82,7 @@ class Knowledge(eqx.Module):
     older: Kept  # and before that: no hand had touched the leg
     before: Gaussian  # the first filter before this movement
     prior: Gaussian  # what anatomy expects
+    sensing: Sensing
     scatter: Float[Any, "2 2"]  # of angle and rate: squares over the declared ones, and how many
     phase: Int[Any, ""]
     hold: Float[Any, ""]  # rad, where it was last at rest

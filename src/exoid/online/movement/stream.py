@@ -10,7 +10,7 @@ from jaxtyping import Array, Bool, Float
 from exoid.online.movement.knowledge import Recent, Stream
 
 GAP = 0.25  # s without a sample, over which nobody knows what a hand did
-LOST = 0.03  # s between samples from which on some were lost: a node sends every 5 or 10 ms
+LOST = 3.0  # periods between samples from which on some were lost
 FORGOTTEN = 1.0  # s, after which a fault counts a third
 MOST = 4.0  # faults that count, from which on a stream is faulty
 FROZEN = 50  # samples of the same rate: noise alone moves it by two steps
@@ -25,7 +25,7 @@ class Arrived(eqx.Module):
     stream: Stream
 
 
-def look(recent: Recent, stream: Stream, row: Float[Array, " 6"]) -> Arrived:
+def look(recent: Recent, stream: Stream, row: Float[Array, " 6"], period: Any) -> Arrived:
     """Is a sample fit to be taken in?"""
     last = recent.rows[(recent.heard - 1) % recent.rows.shape[0]]
     first = recent.heard == 0
@@ -35,7 +35,7 @@ def look(recent: Recent, stream: Stream, row: Float[Array, " 6"]) -> Arrived:
     taken = timed & (first | (since > 0) | back)
     torn = taken & ~first & (back | (since > GAP))
     empty = jnp.isnan(row[1]) & jnp.isnan(row[2])
-    lost = taken & ((since > LOST) | back)
+    lost = taken & ((since > LOST * period) | back)
     bad = ~taken | empty | lost
     fading = jnp.exp(-jnp.clip(jnp.where(taken, since, 0.0), 0.0, 10.0) / FORGOTTEN)
     frozen = jnp.where(taken & (row[2] == last[2]), stream.frozen + 1, 0)

@@ -1,6 +1,7 @@
 """A leg that is at rest or in a hand: when does it come to rest, and when is it let go?"""
 
 from dataclasses import replace
+from typing import Any
 
 import jax
 import jax.numpy as jnp
@@ -19,20 +20,32 @@ from exoid.online.movement.stream import window
 
 REST = 0.5  # s, in which a leg that still swings by a degree goes farther than it may
 STILL = np.radians(0.7)  # rad that a leg at rest goes in that time: a hand trembles
+SCATTER = 9.0  # deviations of an angle: twice what those of that time are apart, a hand beside
 SEEN = 0.9  # of that time that must have been seen
 DEPARTED = np.radians(2.0)  # rad from its hold
-LEAVING = np.radians(0.4)  # rad, beyond the noise: there the hand begins to let go
+LEAVING = np.radians(0.4)  # rad, there the hand begins to let go
+BEYOND = 3.0  # deviations of an angle, beyond which it is not where it was
 PULL = 1.0  # rad/s^2, by which a leg that is let go falls at least: one that hangs is lifted
 LETTING_GO = 0.08  # s that a hand takes to be off the leg
 
 
-def at_rest(recent: Recent) -> tuple[Bool[Array, ""], Float[Array, ""]]:
-    """Has the leg been still for a while, and where?"""
+def at_rest(recent: Recent, noise: Any) -> tuple[Bool[Array, ""], Float[Array, ""]]:
+    """Has the leg been still for a while, as far as an angle of that variance tells, and where?"""
     inside = window(recent, REST)
     time, angle = recent.rows[:, 0], recent.rows[:, 1]
     span = spread(time, inside)
     mean = jnp.sum(jnp.where(inside, angle, 0.0)) / jnp.maximum(jnp.sum(inside), 1)
-    return (spread(angle, inside) < STILL) & (span > SEEN * REST), mean
+    return (spread(angle, inside) < least(STILL, SCATTER, noise)) & (span > SEEN * REST), mean
+
+
+def least(width: float, deviations: float, noise: Any) -> Float[Array, ""]:
+    """A width [rad] that an angle of that variance can tell."""
+    return jnp.maximum(width, deviations * jnp.sqrt(noise))
+
+
+def departed(noise: Any) -> Float[Array, ""]:
+    """How far a leg is from its hold that has left it [rad]."""
+    return least(DEPARTED, SCATTER, noise)
 
 
 def spread(values: Float[Array, " row"], inside: Bool[Array, " row"]) -> Float[Array, ""]:
@@ -43,10 +56,10 @@ def spread(values: Float[Array, " row"], inside: Bool[Array, " row"]) -> Float[A
 
 def watch(model: Model, belief: Knowledge) -> Knowledge:
     """A sample while nothing moves freely."""
-    still, place = at_rest(belief.recent)
+    still, place = at_rest(belief.recent, belief.sensing.angle)
     waiting = belief.phase == Phase.WAITING
     hold = jnp.where(still, place, belief.hold)
-    away = departure(belief.recent, belief.hold) > DEPARTED
+    away = departure(belief.recent, belief.hold) > departed(belief.sensing.angle)
     left = waiting & away & ~still
     phase = jnp.where(still, int(Phase.WAITING), belief.phase)
     suspected = jnp.where(still, NEVER, belief.verdict.suspected)
@@ -77,7 +90,7 @@ def released(belief: Knowledge) -> Knowledge:
     """A movement begins: the filters are to see it from where the hand is off the leg."""
     recent = belief.recent
     time, angle = recent.rows[:, 0], recent.rows[:, 1]
-    near = jnp.abs(angle - belief.hold) < LEAVING
+    near = jnp.abs(angle - belief.hold) < least(LEAVING, BEYOND, belief.sensing.angle)
     begun = jnp.max(jnp.where(near, time, -jnp.inf)) + LETTING_GO
     behind = jnp.sum(time >= begun)
     course = Course(
@@ -105,3 +118,10 @@ def released(belief: Knowledge) -> Knowledge:
         course=course,
         recent=replace(recent, absorbed=recent.heard - behind),
     )
+
+
+def begun(belief: Knowledge) -> Knowledge:
+    """A record begins with the last sample: the leg is held there, or falls already."""
+    recent = belief.recent
+    hold = recent.rows[(recent.heard - 1) % recent.rows.shape[0], 1]
+    return replace(belief, phase=np.full_like(belief.phase, int(Phase.WAITING)), hold=hold)

@@ -15,7 +15,7 @@ from exoid.recordings.live.decoding.reading import Reading
 from exoid.recordings.recording import Segment
 from exoid.watching.estimate.known import RATIOS, told_of
 from exoid.watching.estimate.moment import Moment, Quantity
-from exoid.watching.estimate.online import init, replay, segment_of
+from exoid.watching.estimate.online import at_begin, init, replay, segment_of
 
 EVERY = 0.1  # s of the stream between two moments
 TOGETHER = 256  # samples that are handed over at once, at most
@@ -61,11 +61,13 @@ class Estimator:
 
     def take(self, readings: Sequence[Reading]) -> Iterator[Moment | Drop]:
         """What is to be told after these samples."""
-        for first in range(0, len(readings), TOGETHER):
-            rows = np.zeros((len(readings[first : first + TOGETHER]), COLUMNS))
-            rows[:, : len(Reading._fields)] = readings[first : first + TOGETHER]
+        for part in parts_of(readings):
+            rows = np.zeros((len(part), COLUMNS))
+            rows[:, : TORQUE + 1] = [each[: TORQUE + 1] for each in part]
             self.torque = self.torque or bool(rows[:, TORQUE].any())
             yield from self.absorbed(rows)
+            if part[-1].begins:
+                self.belief = at_begin(self.belief, self.model)
 
     def absorbed(self, rows: Rows) -> Iterator[Moment | Drop]:
         """The rows up to the first that ends a drop, then the others."""
@@ -123,3 +125,12 @@ class Estimator:
         segment = segment_of(Sample(*every.T), begun, end)
         moment = replace(self.moment(row, outlook, at), others=self.others)
         yield Drop(self.drops, segment, moment)
+
+
+def parts_of(readings: Sequence[Reading]) -> Iterator[Sequence[Reading]]:
+    """What is handed over at once: it ends where a movement's record begins."""
+    first = 0
+    for after, each in enumerate(readings, start=1):
+        if each.begins or after - first == TOGETHER or after == len(readings):
+            yield readings[first:after]
+            first = after

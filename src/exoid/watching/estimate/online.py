@@ -18,6 +18,12 @@ def init(expected: ExpectedLeg, model: Model) -> Belief:
     return belief.init(expected, model)
 
 
+def at_begin(belief: Belief, model: Model) -> Belief:
+    from exoid.online import belief as beliefs
+
+    return beliefs.at_begin(belief, model)
+
+
 def replay(belief: Belief, samples: Sample, model: Model) -> tuple[Belief, Outlook]:
     from exoid.online import program
 

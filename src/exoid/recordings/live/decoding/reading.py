@@ -10,3 +10,4 @@ class Reading(NamedTuple):
     angle: float  # rad
     angular_velocity: float  # rad/s
     torque: float = 0.0  # N m, known, extension positive
+    begins: bool = False  # is it the first of a movement's record?

@@ -1,0 +1,85 @@
+"""Files of other sensors than the node: noisier, slower, faster, without a gyro, cut short."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from benchmarks.online import world
+
+from exoid import online
+from exoid.cli.live.replay import of_recording
+from exoid.recordings.recording import Recording, Segment, Subject
+from exoid.watching.estimate.expect import expected_of
+from exoid.watching.estimate.leg import Leg, LegDrop, Person
+from exoid.watching.estimate.load import Load
+
+SUBJECT = Subject(kind="leg", body_mass=77.0, height=1.80)
+TICK = 1e-3  # s, of what is simulated
+LIKELY = 4.5  # standard errors within which the truth lies, but for one draw in 100 000
+
+
+def measured(motion, rate: float, noise: float, *, gyro: bool) -> Segment:
+    """What sensors of that rate [Hz] and noise [deg] show of it."""
+    rng = np.random.default_rng(11)
+    at = np.arange(0, motion.shape[1], round(1 / rate / TICK))
+    angle = motion[0, at] + noise * world.DEGREE * rng.standard_normal(at.size)
+    turning = motion[1, at] + 0.5 * world.DEGREE * rng.standard_normal(at.size)
+    return Segment(at * TICK, raw_angle=angle, raw_angular_velocity=turning if gyro else None)
+
+
+def followed(segments) -> tuple[list[LegDrop], object]:
+    """The drops that were seen, and the last moment."""
+    recording = Recording(tuple(segments), SUBJECT)
+    model = online.Model(node=online.node_of(recording))
+    leg = Leg(Person(SUBJECT, expected_of(SUBJECT), model), Load())
+    news = [each for part in of_recording(recording, 3000) for each in leg.take(part)]
+    drops = [each for each in news if isinstance(each, LegDrop)]
+    return drops, [each for each in news if not isinstance(each, LegDrop)][-1]
+
+
+def near(moment, leg) -> bool:
+    truth = (leg.gravity, leg.stiffness, leg.damping)
+    each = zip(moment.ratios, truth, strict=True)
+    return all(abs(one.value - true) < LIKELY * one.error for one, true in each)
+
+
+@pytest.mark.parametrize(
+    ("rate", "noise", "gyro"),
+    [(100, 0.15, True), (100, 0.15, False), (30, 0.15, False), (50, 0.3, True), (1000, 0.15, True)],
+)
+def test_drops_between_lifts_are_seen_whatever_the_sensors_scatter(rate, noise, gyro):
+    rng = np.random.default_rng(5)
+    leg = world.draw_leg(rng)
+    motion, free = world.session(rng, [leg] * 2, seconds=6.0, tick=TICK)
+    drops, last = followed([measured(motion, rate, noise, gyro=gyro)])
+    assert len(drops) == len(free)
+    assert last.believed
+    assert near(last, leg)
+
+
+@pytest.mark.parametrize("gyro", [True, False])
+def test_segments_that_begin_as_the_hand_lets_go_are_drops(gyro):
+    leg = world.draw_leg(np.random.default_rng(6))
+    time = np.arange(0.0, 7.0, TICK)
+    motions = [world.swing(leg, start, time, 0.0) for start in (-0.2, -0.5)]
+    drops, last = followed([measured(each, 100, 0.15, gyro=gyro) for each in motions])
+    moving = last.phase is online.Phase.MOVING
+    assert len(drops) + moving == len(motions)
+    assert near(last, leg)
+
+
+def test_a_lift_at_the_begin_of_a_segment_is_no_drop():
+    rng = np.random.default_rng(7)
+    lifted = np.concatenate(
+        [world.lift(-1.2, -0.3, 1.0, TICK), world.rest(rng, -0.3, TICK)], axis=1
+    )
+    drops, last = followed([measured(lifted, 100, 0.15, gyro=True)])
+    assert not drops
+    assert last.trust is online.Trust.WAITING
+
+
+def test_another_noise_needs_no_program_of_its_own():
+    from exoid.online.program import without_sensing
+
+    noisy = replace(online.Node(), angle_noise=0.01, period=0.04)
+    assert without_sensing(online.Model(node=noisy)) == without_sensing(online.Model())
