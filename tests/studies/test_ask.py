@@ -63,7 +63,7 @@ def test_what_changes_between_sessions_is_no_test_and_retest():
     # Days of 16 people scatter by 0.07: the mean of differences by 0.1 / 4.
     assert found.change.difference.value == pytest.approx(0.3, abs=4 * 0.025)
     assert isinstance(found.reliability, Untold)
-    assert "'day2' is none of them" in found.reliability.why
+    assert "'day2' does not count" in found.reliability.why
     assert isinstance(found.change_by_group, Comparison)
     assert found.change_by_group.p > 0.001  # both groups changed alike
 

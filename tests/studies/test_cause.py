@@ -21,7 +21,7 @@ REST = 'zero = "unknown" (flip = "all" with a gyro).'
 )
 def test_options_of_one_command_are_said_as_keys_for_all(name, where):
     own, all_of = where
-    every = f"or where all are like this of {all_of} at the top of the data set"
+    every = f"or, where all are like this, of {all_of} at the top of the data set"
     assert for_all(SAID, name) == f"Then write {KEYS} in {own}, {every}, or {REST}"
 
 

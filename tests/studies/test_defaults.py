@@ -96,7 +96,9 @@ def test_one_cause_of_many_is_said_once_and_drowns_nothing(command, flexion_posi
     said = done.stdout
     assert "unreadable: 13" in said
     assert "12 alike, such as P00/left.csv: the angle lies between" in said
-    assert 'write flip = "angle" in [sensors] of its sidecar, or where all are like this of' in said
+    assert (
+        'write flip = "angle" in [sensors] of its sidecar, or, where all are like this, of' in said
+    )
     assert "defaults.toml at the top of the data set" in said
     assert "flip=" not in said
     assert "P09_left.csv: line 1 is empty" in said

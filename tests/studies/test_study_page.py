@@ -3,6 +3,7 @@
 import json
 import re
 from dataclasses import replace
+from unittest.mock import Mock
 
 import pytest
 from benchmarks.studies.tables import Design, Truth, simulate
@@ -14,9 +15,12 @@ from exoid.studies.page.page import PARTS, build_page
 from exoid.studies.page.parts.numbers import tells, with_interval
 from exoid.studies.page.parts.part import Told
 from exoid.studies.page.parts.person import people
-from exoid.studies.page.parts.words import finding
+from exoid.studies.page.parts.pictured import pictured
+from exoid.studies.page.parts.tables import grown
+from exoid.studies.page.parts.words import finding, names_of, within
+from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.ask import ask
-from exoid.studies.statistics.asked import Asked
+from exoid.studies.statistics.asked import Answer, Asked
 from exoid.studies.statistics.tables.said import Interval
 from exoid.studies.statistics.tables.study import study_of
 
@@ -58,8 +62,40 @@ def test_before_and_after_have_a_part_of_their_own(study):
     tree = parse(build_page(told(study, by="group", before="day1", after="day2")))
     text = tree.by_id("change").text
     assert "day2 - day1" in text
-    assert "'day2' is none of them" in tree.by_id("reliability").text
+    assert "'day2' does not count" in tree.by_id("reliability").text
     assert "Change from day1 to day2, by group" in tree.by_id("groups").text
+    # What was to change is not pooled: everybody is drawn as before.
+    figure = tree.by_id("people-relaxation_index")
+    drawing = json.loads(next(each.text for each in figure.all("script")))
+    points = [trace for trace in drawing["data"] if trace.get("customdata")]
+    assert all("of 1 session" in words for trace in points for words in trace["text"])
+
+
+def test_pictures_of_differences_show_two_quantities_that_are_no_variants():
+    names = ["relaxation_index", "expected_relaxation_index", "period"]
+    each = [Mock(spec=Answer, quantity=name) for name in names]
+    assert [one.quantity for one in pictured(each)] == ["relaxation_index", "period"]
+    assert [one.quantity for one in pictured(each[1:])] == names[1:]
+
+
+@pytest.mark.parametrize(("people", "said"), [(4, ""), (10, "falls by 0.66 per deg")])
+def test_a_slope_of_a_few_people_is_not_told(people, said):
+    """Of two degrees of freedom one in twenty quantities has one by chance."""
+    found = Mock(
+        spec=Agreement,
+        people=people,
+        slope_p=0.01,
+        slope=Interval(-0.66, -1.0, -0.3),
+        pairs=Mock(unit="deg"),
+    )
+    assert grown(found) == said
+
+
+def test_what_no_quantity_tells_is_said_without_a_list_of_all():
+    assert names_of(["a", "b", "c", "d"], 4) == "all quantities"
+    assert names_of(["a", "b", "c", "d"], 5) == "a, b, c, d"
+    assert within("No value is of the side 'right'.") == "no value is of the side 'right'."
+    assert within("ICC is not told.") == "ICC is not told."
 
 
 def test_it_asks_nothing_of_a_network(page):

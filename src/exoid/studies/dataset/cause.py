@@ -21,7 +21,7 @@ def for_all(said: str, name: str) -> str:
     own, all_of = "[sensors] of its sidecar", DEFAULTS
     if name.endswith(SUFFIX):
         own, all_of = "sensors of exoid in its _motion.json", "task-NAME_motion.json"
-    where = f"{own}, or where all are like this of {all_of} at the top of the data set"
+    where = f"{own}, or, where all are like this, of {all_of} at the top of the data set"
 
     def told(found: re.Match[str]) -> str:
         return f"write {keys(found[2])} in {where}" if found[1] else keys(found[2])

@@ -14,7 +14,7 @@ from exoid.studies.page.parts.tables import (
     reliabilities,
     values,
 )
-from exoid.studies.page.parts.words import column_words, silent, told_of, why_not
+from exoid.studies.page.parts.words import column_words, reasons, silent, told_of
 from exoid.studies.statistics.asked import Answers
 from exoid.studies.statistics.physics import ALL
 from exoid.studies.statistics.reliability import Reliability
@@ -52,5 +52,5 @@ def notes(answers: Answers) -> list[str]:
     said += told_of([each for each in found if isinstance(each, Reliability)])
     said += silent(answers)
     for kind in ("reliability", "groups", "change", "change_by_group", "sides"):
-        said += [f"{names}: {why}" for names, why in why_not(answers, kind).items()]
+        said += reasons(answers, kind)
     return [*said, answers.physics.why] if isinstance(answers.physics, Untold) else said

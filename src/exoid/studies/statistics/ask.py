@@ -111,7 +111,9 @@ def answered(work: Callable[[], Result]) -> Result | Untold:
 def only_steady(found: Result | Untold, asked: Asked) -> Result | Untold:
     """Why there is no test and retest, where a session was left out of it."""
     if isinstance(found, Untold) and asked.after:
-        return Untold(f"{found.why} {asked.after!r} is none of them: something was to change.")
+        return Untold(
+            f"{found.why} {asked.after!r} does not count: something was to change by then."
+        )
     return found
 
 

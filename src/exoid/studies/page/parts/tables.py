@@ -14,6 +14,7 @@ from exoid.studies.statistics.presence import Count, without_numbers
 from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.tables.frames import Frame
 
+FEWEST_SLOPED = 10  # people, below which a slope over the size is chance
 SHOWN = 200  # rows of a list of recordings; the rest is counted
 
 
@@ -89,19 +90,23 @@ def agreements(answers: Answers, kind: str, title: str) -> Table:
     ]
     heads = (
         *("quantity", "people", "mean difference", "95 % of people between"),
-        *("grows with size", "by errors", "p", "corrected p"),
+        *("grows with size", "due to errors", "p", "corrected p"),
     )
     made = columns(heads, rows)
-    for head in ("grows with size", "by errors"):
+    for head in ("grows with size", "due to errors"):
         made[head] = Column(made[head], only="page")
     return Table(f"{title}; 95 % intervals in brackets", made, title)
 
 
 def grown(found: Agreement) -> str:
-    """Proportional bias, where it is sure."""
+    """Proportional bias, where it is sure, of people enough for a slope."""
+    if found.people < FEWEST_SLOPED:
+        return ""
     if not found.slope_p < 0.05:
         return "no"
-    return f"yes, by {number(found.slope.value)} per {shown_unit(found.pairs.unit) or 'unit'}"
+    verb = "grows" if found.slope.value > 0 else "falls"
+    unit = shown_unit(found.pairs.unit) or "unit"
+    return f"{verb} by {number(abs(found.slope.value))} per {unit}"
 
 
 def causes(found: Sequence[Cause], groups: Sequence[str]) -> Table:

@@ -111,7 +111,7 @@ def limits(found: Agreement) -> str:
     half, unit = (found.upper.high - found.upper.low) / 2, shown_unit(found.pairs.unit)
     ends = (number(each.value, half) for each in (found.lower, found.upper))
     said = f"{' and '.join(ends)} {unit}".rstrip()
-    return f"{said} (each to {f'{number(half)} {unit}'.rstrip()})"
+    return f"{said} (each ± {f'{number(half)} {unit}'.rstrip()})"
 
 
 def repeated(found: Reliability) -> str:
@@ -147,6 +147,7 @@ def shares(each: Cause) -> str:
     return f"{value} (95 % {low} to {high})"
 
 
+MANY = 3  # quantities, beyond which a list of all of them says no more than "all"
 MAIN = ("change_by_group", "change", "groups")  # findings, the first of which leads
 
 
@@ -204,4 +205,19 @@ def why_not(answers: Answers, kind: str) -> dict[str, str]:
         told = getattr(each, kind)
         if isinstance(told, Untold):
             found.setdefault(told.why, []).append(quantity_words(each.quantity))
-    return {", ".join(names): why for why, names in found.items()}
+    return {names_of(names, len(answers.each)): why for why, names in found.items()}
+
+
+def reasons(answers: Answers, kind: str) -> list[str]:
+    """The same as sentences that begin with the quantities."""
+    return [f"{names}: {within(why)}" for names, why in why_not(answers, kind).items()]
+
+
+def names_of(names: list[str], of: int) -> str:
+    """Of some quantities; where it is every one of many, without a list of them."""
+    return "all quantities" if len(names) == of > MANY else ", ".join(names)
+
+
+def within(why: str) -> str:
+    """A sentence as it goes on behind a colon: ordinary words begin small."""
+    return f"{why[0].lower()}{why[1:]}" if why[1:2].islower() else why

@@ -11,7 +11,7 @@ from exoid.report.pictures.panel import Axis, Mark, Panel, Picture, Points
 from exoid.report.pictures.role import Role
 from exoid.report.words.text import capital, quantity_words, shown_unit
 from exoid.studies.page.parts.numbers import number, with_interval
-from exoid.studies.statistics.asked import Answer
+from exoid.studies.statistics.asked import Answer, Asked
 from exoid.studies.statistics.groups import MOST_GROUPS, Comparison, label
 from exoid.studies.statistics.tables.frames import Frame
 from exoid.studies.statistics.tables.values import Values, means
@@ -23,10 +23,13 @@ HEIGHT = 4.6  # size of the panel
 EVERYONE = "all people"
 
 
-def people(answer: Answer, by: str) -> Picture:
-    """Every leg of every person by the mean of its drops, in the groups of `by`."""
-    values = answer.values
-    legs = legs_of(values, by)
+def people(answer: Answer, asked: Asked) -> Picture:
+    """Every leg of every person by the mean of its drops, in the groups that are `asked` for; where
+    something was to change, as it was before.
+    """
+    before, values = asked.before, shown(answer, asked)
+    days = f"in the session {before!r}" if before else "on all days"
+    legs = legs_of(values, asked.by)
     groups = sorted(legs["group"].unique(), key=in_order)
     counts = legs.groupby("group")["person"].nunique()
     ticks = tuple((float(at), f"{each} ({counts[each]})") for at, each in enumerate(groups))
@@ -43,10 +46,15 @@ def people(answer: Answer, by: str) -> Picture:
         f"people-{values.quantity}",
         f"{name} of every leg of {counted(values.people, 'person', 'people')}; the means are in "
         "the tables.",
-        "A point is a leg: the mean of its drops on all days. Point at it to see whose it is, "
-        "choose it to open that person.",
+        f"A point is a leg: the mean of its drops {days}. Point at it to see whose it is, choose "
+        "it to open that person.",
         (panel,),
     )
+
+
+def shown(answer: Answer, asked: Asked) -> Values:
+    """The values that are drawn: all, or those of before."""
+    return answer.values.where(session=asked.before) if asked.before else answer.values
 
 
 def in_order(group: str) -> tuple[bool, float, str]:

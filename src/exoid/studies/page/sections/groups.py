@@ -7,7 +7,7 @@ from exoid.report.words.text import by_reason, quantity_words
 from exoid.studies.page.parts.part import Told, part
 from exoid.studies.page.parts.presence import lacking
 from exoid.studies.page.parts.tables import comparisons
-from exoid.studies.page.parts.words import column_words, grouped, why_not
+from exoid.studies.page.parts.words import column_words, grouped, reasons
 from exoid.studies.page.pictures.intervals import effects
 from exoid.studies.statistics.asked import Answers
 from exoid.studies.statistics.groups import Comparison
@@ -58,4 +58,4 @@ def compared(answers: Answers, kind: str, title: str) -> Iterator[Block]:
         for one in lacking(each)
     )
     yield [f"{', '.join(names)}: {one}" for one, names in missing.items()]
-    yield [f"{names}: {why}" for names, why in why_not(answers, kind).items()]
+    yield reasons(answers, kind)

@@ -6,7 +6,9 @@ from markupsafe import Markup
 
 from exoid.report.sections.blocks import Block, Group
 from exoid.studies.page.parts.part import PICTURED, Told, part
+from exoid.studies.page.parts.pictured import pictured
 from exoid.studies.page.pictures.people import people as drawn
+from exoid.studies.page.pictures.people import shown
 
 FIND = Markup("""\
 <p class="screen"><label for="find">Open a person: </label>
@@ -15,16 +17,17 @@ FIND = Markup("""\
 
 
 @part("people", "People")
-def people(told: Told) -> Iterator[Block]:
+def people(page: Told) -> Iterator[Block]:
     """A picture for each of the first quantities."""
-    answers = told.answers
+    answers = page.answers
     if not answers.each:
         return
     yield FIND
-    pictures = [drawn(each, answers.asked.by) for each in answers.each[:PICTURED]]
+    told = [each for each in pictured(answers.each) if shown(each, answers.asked).people]
+    pictures = [drawn(each, answers.asked) for each in told[:PICTURED]]
     yield Group("div", pictures, "grid" if len(pictures) > 1 else "")
-    if len(answers.each) > PICTURED:
+    if len(answers.each) > len(pictures):
         yield (
-            f"These are the first {PICTURED} of {len(answers.each)} quantities; name others by "
+            f"These are {len(pictures)} of {len(answers.each)} quantities; name others by "
             "--quantity."
         )

@@ -4,8 +4,9 @@ from collections.abc import Iterator
 
 from exoid.report.sections.blocks import Block, Group, element
 from exoid.studies.page.parts.part import COMPARED, Told, part
+from exoid.studies.page.parts.pictured import pictured
 from exoid.studies.page.parts.tables import reliabilities
-from exoid.studies.page.parts.words import repeated, told_of, why_not
+from exoid.studies.page.parts.words import reasons, repeated, told_of
 from exoid.studies.page.pictures.bland_altman import bland_altman
 from exoid.studies.page.pictures.intervals import reliabilities as drawn
 from exoid.studies.statistics.agreement import Agreement
@@ -38,10 +39,10 @@ def reliability(told: Told) -> Iterator[Block]:
         yield drawn(found)
     pictures = [
         bland_altman(each.retest, f"retest-{each.quantity}")
-        for each in answers.each[:COMPARED]
+        for each in pictured(answers.each)[:COMPARED]
         if isinstance(each.retest, Agreement)
     ]
     yield Group("div", pictures, "grid" if len(pictures) > 1 else "")
     yield told_of(found)
     yield [f"By {how}." for how in {each.how: None for each in found}]
-    yield [f"{names}: {why}" for names, why in why_not(answers, "reliability").items()]
+    yield reasons(answers, "reliability")
