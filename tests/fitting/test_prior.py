@@ -141,4 +141,4 @@ def test_a_leg_that_moves_as_none_of_its_body_is_told(radius, strange):
     assert bool(found) == strange
     if strange:
         told = one["inertia"] / (one["mass"] * one["com_distance"])
-        assert f"= {radius * told:.3g} m, and anatomy expects {told:.3g} +-" in found[0]
+        assert f"= {radius * told:.3f} m, and anatomy expects {told:.3f} ±" in found[0]

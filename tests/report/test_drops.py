@@ -14,7 +14,7 @@ from exoid.recordings.recording import Protocol, Recording, Subject
 from exoid.report.document.drops_json import drops_document
 from exoid.report.plots.drops import plot_drops
 from exoid.report.plots.fit import save_figure
-from exoid.report.tables.drops import MOST, print_drops
+from exoid.report.tables.drops import MOST, print_drops, written
 from exoid.report.words.typeset import mathtext
 from swings import NOISE, Oscillator, drop, recorded
 
@@ -155,3 +155,17 @@ def test_every_reason_ends_with_one_stop():
     text = printed(measure_drops(still))
     assert "nothing moves" in text
     assert ".." not in text
+
+
+@pytest.mark.parametrize(
+    ("number", "error", "said"), [(5.0, 1.0, "5 ± 1"), (5.0, 0.0, "5"), (5.2, 1.0, "5.2 ± 1.0")]
+)
+def test_a_count_that_noise_may_change_by_one_has_no_decimals(number, error, said):
+    assert written("1", number, error) == said
+
+
+def test_what_an_expected_index_divides_by_is_explained_where_there_is_one(four):
+    assert "A_e is the amplitude" in printed(four)
+    held = drop(noise=NOISE).segments[0]
+    refused = measure_drops(Recording((held,), protocol=Protocol(kind="active")))
+    assert "A_e" not in printed(refused)

@@ -53,9 +53,10 @@ def plan(
         str | None,
         typer.Option(
             help="What to narrow: inertia, damping, stiffness, gravity_over_inertia, "
-            "damping_over_inertia, stiffness_over_inertia, or a term's as coulomb_friction.level.",
+            "damping_over_inertia, stiffness_over_inertia, or a term's as coulomb_friction.level; "
+            f"{INERTIA} by default.",
             metavar="QUANTITY",
-            show_default=INERTIA,
+            show_default=False,
         ),
     ] = None,
     between: Between = None,

@@ -12,6 +12,11 @@ from exoid.report.words.text import by_reason, heading, note, say, shown_unit, w
 LARGE = 99.5  # of an error, beyond which two digits of it leave no unit
 ALIKE = 5.0  # deg, by which drops that were meant to begin alike differ
 MOST = 40  # drops with a table of their own
+EXPECTED = "expected_relaxation_index"
+A_E = (
+    "A_e is the amplitude to the angle that swings shrink to: of a leg that was left until it hung "
+    "still it is A0, of one that was caught or cut before it is what A0 would have been."
+)
 SOURCE = (
     "Names after Rahimi et al., BioMedical Engineering OnLine 19:82, 2020; formulas in "
     "exoid.pendulum.definitions. Nothing here is a diagnosis."
@@ -41,6 +46,8 @@ def explain(test: PendulumTest, console: Console) -> None:
         say(console, f"Segment {', '.join(names)}: {reason}.")
     say(console, "± is one standard error by the noise of the angle; of an average, the standard "
         "deviation over drops. Flexion is negative, 0 is the extended knee.")  # fmt: skip
+    if EXPECTED in test.average:
+        say(console, A_E)
     say(console, SOURCE)
 
 
@@ -118,6 +125,8 @@ def mean(each: Average) -> str:
 def written(unit: str, number: float, error: float | None) -> str:
     """With its error; thousands of deg/s^2 without a power of ten, to tens where that is enough."""
     number, error = (degrees(each) if "rad" in unit else each for each in (number, error or 0.0))
+    if error == 1.0 and number.is_integer():  # a count, which noise may change by one
+        return f"{number:.0f} ± 1"
     if error < LARGE:
         return with_error(number, error) if error else f"{number:.4g}"
     return f"{round(number, -1):.0f} ± {round(error, -1):.0f}"

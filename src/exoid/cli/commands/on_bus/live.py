@@ -97,13 +97,17 @@ def live(
     port: Annotated[
         int | None,
         typer.Option(
-            min=0, max=65535, help="Of that page; 0 is any that is free.", show_default=str(PORT)
+            min=0,
+            max=65535,
+            help=f"Of that page, by default {PORT}; 0 is any that is free.",
+            show_default=False,
         ),
     ] = None,
     host: Annotated[
         str | None,
         typer.Option(
-            help="Of that page; any but this computer's own demands a token.", show_default=HOST
+            help=f"Of that page, by default {HOST}; any but this computer's own demands a token.",
+            show_default=False,
         ),
     ] = None,
     column: Columns = None,

@@ -139,7 +139,7 @@ def batch(board: "Board") -> str:
         return ""
     far = max(map(abs, found.apart.values()))
     verdict = "agrees" if found.agrees else "DISAGREES"
-    drops = "drop" if found.drops == 1 else f"{found.drops} drops"
+    drops = "the drop" if found.drops == 1 else f"{found.drops} drops"
     return f"the fit of {drops} {verdict}: {far:.1f} standard errors apart at most"
 
 
