@@ -253,9 +253,16 @@ def test_exoids_own_columns_are_read_in_any_dialect(write):
     assert "unknown column marker is kept as text" in said
 
 
-@pytest.mark.parametrize("names", [("time", "angle"), ("time_s", "angle"), ("time_s", "knee_deg")])
+@pytest.mark.parametrize(
+    "names",
+    [
+        ("time", "angle", "gyro_dps"),
+        ("time_s", "angle", "gyro_z_deg/s"),
+        ("time_s", "knee_deg", "gyro_dps"),
+    ],
+)
 def test_a_time_of_exoids_name_hides_no_other_name(write, names):
-    rows = [",".join((*names, "gyro_dps")), *lines((TIME, ANGLE, RATE))]
+    rows = [",".join(names), *lines((TIME, ANGLE, RATE))]
     segment, _ = check(write("\n".join(rows)))
     np.testing.assert_allclose(segment.raw_angular_velocity, np.radians(RATE), rtol=1e-14)
 
@@ -269,6 +276,7 @@ def test_a_time_of_exoids_name_hides_no_other_name(write, names):
         ("t,knee_angle_r,knee_angle_l\n0,1,2\n1,1,2\n", {}, "several columns can be the angle"),
         ("time,t,knee\n0,1,2\n1,1,2\n", {}, "several columns can be the time: time, t"),
         ("t,hip\n0,1\n1,1\n", {}, "has no angle. It holds: t, hip. Name it: columns="),
+        ("t,gyro_x_dps\n0,1\n1,1\n", {}, "has no angle, and a gyro alone is not enough"),
         ("time_s,raw_angel_deg\n0,1\n1,1\n", {}, "Did you mean raw_angle_deg? Name it: columns="),
         ("t;knee\n0;1\n1;1\n2;left\n3;1\n", {}, "line 4, column knee: 'left' is not a number"),
         ("t;knee\n0;1\n1;1\n2;1;5\n3;1\n", {}, "line 4 has 3 cells, but the samples above have 2"),

@@ -378,6 +378,7 @@ def test_a_bad_sample_of_a_later_segment_is_named_by_its_line(write):
     [
         ("[subject]\nheight_m 1.8\n", "is not valid TOML: Expected '='"),
         ("[subject\n", "is not valid TOML"),
+        ("[subject]\nbody_mass_kg = 77,5\n", "no comma: body_mass_kg = 77.5"),
         (b"\xff[subject]", "is not UTF-8 text"),
         ("subject = 3\n", "subject must be a table: write [subject]"),
         ('[subject]\nheight_m = "1.8"\n', "height_m in [subject] is '1.8'; it must be a number"),

@@ -196,6 +196,13 @@ def test_a_file_that_is_not_whole_is_refused_in_one_line(tmp_path, whole, damage
         load_result(path)
 
 
+def test_a_recording_in_place_of_a_result_is_to_be_fitted_first(tmp_path):
+    path = tmp_path / "drop.csv"
+    path.write_text("time_s,knee_angle_deg\n0,-10\n0.01,-11\n")
+    with pytest.raises(ValueError, match=r"drop\.csv: .*exoid fit RECORDING --save"):
+        load_result(path)
+
+
 def test_a_file_that_sends_its_library_round_for_ever_is_refused(shared):
     with pytest.raises(ValueError, match=r"hang_hdf5\.nc: this was saved by an earlier exoid"):
         load_result(shared / "faults" / "hang_hdf5.nc")

@@ -1,5 +1,6 @@
 """What is known of a recording, in NAME.toml; its keys are those that `recording.py` declares."""
 
+import re
 import tomllib
 from collections.abc import Mapping
 from pathlib import Path
@@ -16,6 +17,7 @@ TABLES = {"subject": Subject, "protocol": Protocol, "sensors": Sensors}
 FOR_FITS = "fit"  # the table of what is fixed, bounded or expected; a fit reads and checks it
 DEEPEST = 50  # tables and lists within each other; exoid's own keys need two
 TOO_DEEP = f"nests tables or lists more than {DEEPEST} deep. Leave out what exoid does not know."
+DECIMAL_COMMA = re.compile(r"^\s*([\w-]+)\s*=\s*([-+]?\d+),(\d+)\s*(?:#.*)?$", re.MULTILINE)
 COLUMNS = "columns"  # what the columns of the table beside it are called: [columns]
 
 
@@ -71,14 +73,24 @@ def read_keys(path: Path) -> tuple[dict[str, Any], dict[str, Any], Notes]:
 
 
 def parse_toml(path: Path) -> dict[str, Any]:
+    text = read_text(path)
     try:
-        document = tomllib.loads(read_text(path))
+        document = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise ValueError(f"is not valid TOML: {error}.") from error
+        raise ValueError(f"is not valid TOML: {error}.{with_comma(text)}") from error
     except RecursionError as error:
         raise ValueError(TOO_DEEP) from error
     check_depth(document)
     return document
+
+
+def with_comma(text: str) -> str:
+    """A hint where a number has a decimal comma."""
+    found = DECIMAL_COMMA.search(text)
+    if found is None:
+        return ""
+    key, whole, rest = found.groups()
+    return f" A number has a decimal point here, no comma: {key} = {whole}.{rest}."
 
 
 def check_depth(document: dict[str, Any]) -> None:

@@ -104,5 +104,6 @@ def tiny(recording: Recording) -> str | None:
     high, low = np.degrees([angles.max(), angles.min()])
     return (
         f"the angle goes from {high:.2f} to {low:.2f} deg: no leg falls so little. Is it in "
-        "radians? Then name its column _rad in place of _deg."
+        "radians? Then name its column _rad in place of _deg. Is it no angle, but volts? Then turn "
+        "it to degrees by its calibration first."
     )

@@ -3,7 +3,7 @@
 In this order: what a map of columns says, exoid's own names, the names that others use.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -213,11 +213,22 @@ def counted(sheet: Sheet, rate: float | None) -> np.ndarray:
 
 def check_angle(columns: Mapping[str, Cells], sheet: Sheet) -> None:
     if not any(name in columns for name in ANGLES):
+        if gyros([*columns, *sheet.names]):
+            raise ValueError(
+                f"has no angle, and a gyro alone is not enough: it does not tell where the leg "
+                f"hangs. It holds: {listed(sheet.names, 40)}. Record the knee's angle beside it; "
+                f"an angle among these is named: {sheet.ask.format('raw_angle_deg')}."
+            )
         hints = (near(name, NUMERIC, MISSPELT) for name in sheet.names if name not in NUMERIC)
         raise ValueError(
             f"has no angle. It holds: {listed(sheet.names, 40)}.{next(filter(None, hints), '')} "
             f"Name it: {sheet.ask.format('raw_angle_deg')}."
         )
+
+
+def gyros(names: Iterable[str]) -> list[str]:
+    """Those that sound like a turning rate."""
+    return [each for each in names if "velocity" in each.lower() or "gyr" in each.lower()]
 
 
 def kept(others: list[str]) -> list[str]:
@@ -227,9 +238,8 @@ def kept(others: list[str]) -> list[str]:
 def left_out(sheet: Sheet, others: list[str]) -> list[str]:
     if not others:
         return []
-    velocity = any("velocity" in name.lower() or "gyr" in name.lower() for name in others)
     ask = sheet.ask.format("raw_velocity_deg_s")
-    hint = f" A gyro among them is named: {ask}." if velocity else ""
+    hint = f" A gyro among them is named: {ask}." if gyros(others) else ""
     return [f"not read: {listed(others)}.{hint}"]
 
 

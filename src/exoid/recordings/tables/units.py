@@ -40,11 +40,14 @@ def is_unit(text: str) -> bool:
 def parted(name: str) -> tuple[str, str]:
     """A name and the unit that is written behind it, "" where none is.
 
-    Time (s), Winkel [°], t/ms, Winkel in deg, knee_angle_deg.
+    Time (s), Winkel [°], t/ms, Winkel in deg, knee_angle_deg, gyro_z_deg/s.
     """
     found = BRACKETED.match(name)
     if found and is_unit(found["unit"]):
         return found["name"], found["unit"]
+    shorter, _, unit = name.rpartition("_")
+    if shorter and "/" in unit and is_unit(unit):
+        return shorter, unit
     found = SEPARATED.match(name)
     if found and is_unit(found["unit"]):
         return found["name"], found["unit"]

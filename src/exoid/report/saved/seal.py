@@ -12,6 +12,7 @@ from exoid.report.saved.node import DocumentError
 
 LAYOUT = 1
 LINE = re.compile(rb"\nexoid document (\d+) of exoid (\S+) sha256 ([0-9a-f]{64})\n\Z")
+SAVED = b"\x89HDF", b"{"  # how HDF5 and JSON begin
 LENGTH = 200  # bytes, of the longest line
 EARLIER = (b"exoid fit", b"format_version")  # in every file of exoid without such a line
 
@@ -29,6 +30,11 @@ def unsealed(content: bytes) -> tuple[bytes, str]:
         if all(each in content for each in EARLIER):
             raise DocumentError(
                 "this was saved by an earlier exoid, in another layout. Save it again."
+            )
+        if not content.startswith(SAVED):
+            raise DocumentError(
+                "this is no result of exoid. Of a recording, fit it first, and name what that "
+                "saves: exoid fit RECORDING --save RESULT.nc."
             )
         raise DocumentError(
             "this is no result of exoid, or it is not whole. Name another, or save it again."
