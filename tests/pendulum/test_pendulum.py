@@ -255,9 +255,26 @@ def test_slow_and_interrupted_samples_are_refused():
     assert "sampled too slowly: at 20 Hz" in measure_drops(slow).drops[0].reason
     (segment,) = drop().segments
     angle = segment.raw_angle.copy()
-    angle[150:170] = np.nan
+    angle[150:190] = np.nan
     (found,) = measure_drops(recorded(angle, segment.time)).drops
-    assert "no angle was measured from 1.49 to 1.70 s" in found.reason
+    assert "no angle was measured from 1.49 to 1.90 s" in found.reason
+    assert "Let it drop again" in found.reason
+
+
+@pytest.mark.parametrize("begin", np.arange(0.6, 4.0, 0.17).tolist())
+def test_a_short_hole_costs_only_what_lies_in_it(begin):
+    (segment,) = drop().segments
+    whole = only(drop())
+    angle = segment.raw_angle.copy()
+    angle[(segment.time > begin) & (segment.time < begin + 0.2)] = np.nan
+    holed = only(recorded(angle, segment.time))
+    lost = refused(holed) - refused(whole)
+    assert len(lost) < len(holed) - 3
+    assert all("not seen: no angle was measured from" in holed[name].reason for name in lost)
+    for name in set(holed) - refused(holed):
+        one, other = holed[name], whole[name]
+        spread = np.hypot(one.standard_error, other.standard_error)
+        assert abs(one.value - other.value) <= 4 * spread, name
 
 
 def test_the_average_is_over_the_drops_of_the_bare_leg():

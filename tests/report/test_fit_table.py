@@ -44,6 +44,18 @@ def test_value_that_a_bound_set_is_printed_as_the_bound_without_error():
     assert re.search(r"stiffness c +4 +N m/rad .* bound", printed(fitted()))
 
 
+def test_samples_without_an_angle_and_holes_are_told():
+    result = fitted()
+    first, *others = result.segments
+    angle = np.array(first.angle)
+    angle[50:60] = np.nan
+    holed = replace(result, segments=[replace(first, angle=angle), *others])
+    hole = float(first.time[60] - first.time[49])
+    said = f"402 in 2 segments, 392 with an angle; 1 hole of {hole:.2g} s at most"
+    assert said in line_of("samples", printed(holed))
+    assert "angle" not in line_of("samples", printed(result))
+
+
 @pytest.mark.parametrize(
     "expected",
     [

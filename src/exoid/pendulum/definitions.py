@@ -98,6 +98,8 @@ def number_of_oscillations(drop: Landmarks) -> DropReading:
     """Its error is 1 where a peak lies so near to the band of rest that noise may decide."""
     drop.check_fall()
     rest, found = drop.rest.angle, drop.turns[::2]
+    for each in found:
+        drop.track.check_seen(each.time)
     beyond = [rest.value - each.value - BAND for each in found]
     places = list(zip(found, beyond, strict=True))
     close = any(SURE * hypot(each.error, rest.error) > abs(far) for each, far in places)
@@ -126,6 +128,7 @@ def logarithmic_decrement(drop: Landmarks, number: int) -> DropReading:
 
 def time_to_rest(drop: Landmarks) -> DropReading:
     start, rest = drop.release.start, drop.rest.since
+    drop.track.check_seen(rest.time)
     error = hypot(start.time_error, rest.time_error)
     return DropReading(rest.time - start.time, error, (start.mark, rest.mark))
 

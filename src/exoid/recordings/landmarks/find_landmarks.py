@@ -77,7 +77,8 @@ def rested(track: Track, extent: Extent, turns: list[Peak]) -> Rest:
     """The rest that a drop ends with, where no hand ended it."""
     if extent.ended == "caught":
         raise CutBefore(f"caught: {extent.why}. Leave it alone until it hangs still")
-    return find_rest(track, turns)
+    hidden = [at for at, each in enumerate(turns) if track.hole_at(each.time)]
+    return find_rest(track, turns[hidden[-1] + 1 :] if hidden else turns)
 
 
 def held(track: Track, release: Release, found: list[Peak]) -> NotAllowed | None:

@@ -30,7 +30,9 @@ class Landmarks:
     def release(self) -> Release:
         """The release; refused where there is none, or a hand was still on the leg."""
         self.check_fall()
-        return given(self.released)
+        found = given(self.released)
+        self.track.check_seen(found.start.time, HALF)
+        return found
 
     def check_fall(self) -> None:
         """Refuse what the first swing tells, where it was not a free fall."""
@@ -46,7 +48,11 @@ class Landmarks:
         """The angle of rest; of a leg that was caught before, or whose record was cut, the
         one that its swings shrink to.
         """
-        return expected_rest(self.turns) if isinstance(self.rested, CutBefore) else self.rest.angle
+        if not isinstance(self.rested, CutBefore):
+            return self.rest.angle
+        for each in self.turns:
+            self.track.check_seen(each.time)
+        return expected_rest(self.turns)
 
     def flexion(self, number: int) -> Peak:
         """The peak of the number-th flexion, from 1."""
@@ -64,7 +70,9 @@ class Landmarks:
                 f"too few swings: there is no peak of the {what}, with a swing back of "
                 f"{np.degrees(back(self.track)):.2g} deg after it"
             )
-        return self.turns[number]
+        found = self.turns[number]
+        self.track.check_seen(found.time)
+        return found
 
     @cached_property
     def curve(self) -> Curve:
@@ -94,5 +102,6 @@ class Landmarks:
         if not inside.size:
             raise NotAllowed("that part of the swing was not recorded")
         at = int(inside[np.argmax(sign * wide.value(order)[inside])])
+        self.track.check_seen(float(times[at]), HALF)
         time, (value, error) = float(times[at]), sharp.only(at).derivative(order)
         return Peak(nearest(self.track, time), time, HALF, float(value[0]), float(error[0]))

@@ -15,6 +15,7 @@ HALF = 0.1  # s to either side that a polynomial follows, a tenth of a leg's swi
 DEGREE = 4  # the middle of a swing is then followed to 1 in 2000, its acceleration included
 SURE = 3.0  # standard errors
 FEWEST = DEGREE + 2  # samples of a polynomial
+HOLE = 0.3  # s without an angle that are bridged: a leg turns around once in them at most
 SLOWEST = 0.034  # s between samples: of a slower recording, a window would be a third of a swing
 
 
@@ -50,6 +51,23 @@ class Track:
     def step(self) -> float:
         return usual_step(self.time)
 
+    def hole_at(self, time: float, beside: float = 0.0) -> tuple[float, float] | None:
+        """The hole that no polynomial bridges in which a time lies, or so near to which [s]."""
+        inside = (each for each in self.holes if each[0] - beside <= time <= each[1] + beside)
+        return next(inside, None)
+
+    def check_seen(self, time: float, beside: float = 0.0) -> None:
+        """Refuse a place in a hole."""
+        hole = self.hole_at(time, beside)
+        if hole is not None:
+            raise NotAllowed(f"not seen: {unseen(*hole)}")
+
+    @cached_property
+    def holes(self) -> list[tuple[float, float]]:
+        """From when to when [s] no angle was measured for longer than a polynomial follows."""
+        at = np.flatnonzero(np.diff(self.time) > HALF)
+        return list(zip(self.time[at].tolist(), self.time[at + 1].tolist(), strict=True))
+
     @cached_property
     def uneven(self) -> float:
         """By how much a step is other than the usual one, at most [s]."""
@@ -70,15 +88,20 @@ def track_of(segment: Segment, noise: float) -> Track:
     step = quantile(steps)
     if step > SLOWEST:
         raise NotAllowed(f"sampled too slowly: at {1 / step:.3g} Hz, 30 Hz are the least")
-    if steps.max() > HALF:
+    if steps.max() > HOLE:
         at = int(np.argmax(steps))
         raise NotAllowed(
-            f"interrupted: no angle was measured from {time[at]:.2f} to {time[at + 1]:.2f} s"
+            f"interrupted: {unseen(time[at], time[at + 1])}, and a leg may turn around twice in "
+            f"more than {HOLE:g} s. Let it drop again, and see that the angle is seen throughout"
         )
     count = block_size(step, BLOCK)
     middle = sample[count // 2 :: count][: sample.size // count]
     angle = block_means(segment.best_angle[sample], count)
     return Track(middle, block_means(time, count), angle, noise / np.sqrt(count))
+
+
+def unseen(begin: float, end: float) -> str:
+    return f"no angle was measured from {begin:.2f} to {end:.2f} s"
 
 
 def nearest(track: Track, time: float) -> int:

@@ -1,5 +1,6 @@
 """What a person reads after a fit: values with their errors and units, and what they rest on."""
 
+import numpy as np
 from rich.console import Console
 
 from exoid.files.counted import counted
@@ -23,6 +24,7 @@ from exoid.report.words.text import aligned, by_reason, capital, heading, in_deg
 from exoid.trust.identifiability import Identifiability
 
 ALIKE = 0.2  # relative spread of amplitudes
+HOLE = 3.0  # usual steps without an angle that are worth a word
 
 
 def print_fit(result: FitResult, console: Console, told: Identifiability | None = None) -> None:
@@ -96,10 +98,23 @@ def print_quality(result: FitResult, console: Console) -> None:
     }
     if result.velocity_rmse is not None:
         lines["velocity RMSE"] = f"{in_degrees(result.velocity_rmse)} deg/s"
-    lines["samples"] = f"{result.samples} in {counted(len(result.segments), 'segment')}"
+    lines["samples"] = amount(result)
     if result.torque_frequency is not None:
         lines["torque frequency"] = reading(result)
     aligned(console, lines)
+
+
+def amount(result: FitResult) -> str:
+    """How many samples there are, how many of them hold an angle, and where none is for long."""
+    said = f"{result.samples} in {counted(len(result.segments), 'segment')}"
+    known = [each.time[np.isfinite(each.angle)] for each in result.segments]
+    count = sum(each.size for each in known)
+    said += f", {count} with an angle" if count < result.samples else ""
+    steps = [np.diff(each) for each in known if each.size > 1]
+    holes = [step for each in steps for step in each[each > HOLE * np.median(each)].tolist()]
+    return said + (
+        f"; {counted(len(holes), 'hole')} of {max(holes):.2g} s at most" if holes else ""
+    )
 
 
 def reading(result: FitResult) -> str:
