@@ -75,6 +75,11 @@ def test_a_drop_that_moves_as_a_recording_ends_is_told_beside_those_that_ended()
     assert words.all_drops(board) == "0 drops, and one that still moved at the end"
 
 
+def test_where_a_stream_held_no_drop_it_is_said_when_one_is_seen():
+    assert "still for half a second" in words.unseen(board_of(Trust.WAITING))
+    assert words.unseen(board_of(Trust.ENOUGH)) == ""
+
+
 class Screen:
     def __init__(self):
         self.board, self.said = Board(), []

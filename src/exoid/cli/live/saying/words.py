@@ -11,8 +11,12 @@ if TYPE_CHECKING:
 DOING = ("held, or nobody knows", "at rest: let it drop", "moving freely", "at rest, or caught")
 STARTING = "the estimator is loading; what moves meanwhile is kept and taken in afterwards"
 BY_RATIOS = "one kind of drop tells ratios; a weighed mass on the shank for some of them tells J"
-ENOUGH, UNEXPLAINED = 3, 4  # trust
+WAITING, ENOUGH, UNEXPLAINED = 0, 3, 4  # trust
 MOVING = 2  # phase
+UNSEEN = (
+    "no drop was seen: a leg is seen to be let go where it was still for half a second, above "
+    "where it hangs, or where a segment of a file begins"
+)
 DIAGNOSE = (
     "something is missing in the model: exoid diagnose tells what, of a recording of it (-o); then "
     "exoid live --with TERM"
@@ -150,6 +154,13 @@ def drops(board: "Board") -> str:
 def ended(board: "Board") -> str:
     """How many drops have ended."""
     return f"{len(board.ended)} drop{'' if len(board.ended) == 1 else 's'}"
+
+
+def unseen(board: "Board") -> str:
+    """Why there may be no drop, of a stream that is over and only waited for one."""
+    if board.ended or board.moment is None or int(board.moment.trust) != WAITING:
+        return ""
+    return UNSEEN
 
 
 def all_drops(board: "Board") -> str:
