@@ -20,6 +20,7 @@ ANYWHERE = 0.5  # of its logarithm
 ZERO = radians(1.2)  # a sensor aligned along a leg by eye or by goniometer
 ZERO_OF_RIG = radians(5.0)
 TILT = radians(0.2)  # a seat that looks level; one that is not is followed (`gross_errors.py`)
+SLANT = radians(2.5)  # the same of a leg whose centre of mass a foot puts beside its line
 GYRO_SCALE = 0.015  # LSM6DS3 data sheet: sensitivity within 1 %, and its change with temperature
 GYRO_BIAS = radians(5.0)  # rad/s; LSM6DS3: +-10 deg/s at zero rate
 CLOCK = 1e-4  # a quartz, cheap and warm

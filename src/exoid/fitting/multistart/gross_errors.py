@@ -14,6 +14,7 @@ from exoid.fitting.misfit.condensed import Neighbourhood
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import declared_slopes
 from exoid.fitting.model.coordinates import TYPICAL, places
+from exoid.fitting.model.systematics import SLANT
 from exoid.fitting.model.term_parameters import parameters_of
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.multistart.weight_by_kind import explained
@@ -23,7 +24,6 @@ from exoid.fitting.solve.program_values import Solved
 
 CONVINCING = 3.0  # gain of log likelihood from which on a seat is held for tilted
 STEEPEST = np.radians(5.0)  # standard deviation of its tilt
-SLANT = np.radians(2.5)  # standard deviation where a leg's mass lies beside its line
 FOOT = 0.5  # of legs whose does, before one is seen
 LYING = 2.0  # times it: a fit with a seat that is tilted by more takes it for something else
 FINE = 1e-2  # tolerance, in units of noise

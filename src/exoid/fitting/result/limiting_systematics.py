@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.multistart.gross_errors import SLANT
+from exoid.fitting.model.systematics import SLANT
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.fit_result import Estimate, FitResult, MountingFit
 from exoid.fitting.result.remarks.tilt_or_zero import either
