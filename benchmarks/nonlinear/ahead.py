@@ -56,6 +56,12 @@ def missed(fitted: FitResult, recording: Recording, *, same_begin: bool = False)
 
 def begin(unknowns: Unknowns, error: Callable[[Unknowns], np.ndarray]) -> Unknowns:
     """With the first state, and what its terms remember, that miss the least."""
+    remember = [(k, term.begun) for k, term in enumerate(unknowns.terms) if term.begun]
+
+    def begun(one: Unknowns) -> list:
+        loads = (getattr(one.terms[k], name) for k, name in remember)
+        return [one.own.angle, one.own.angular_velocity, *loads]
+
     at = np.array(begun(unknowns))
     size = np.maximum(np.abs(at), 1e-3 * np.abs(at).max())
 
@@ -63,12 +69,6 @@ def begin(unknowns: Unknowns, error: Callable[[Unknowns], np.ndarray]) -> Unknow
         return eqx.tree_at(begun, unknowns, list(map(jnp.asarray, size * row)))
 
     return beginning(least_squares(lambda row: error(beginning(row)), at / size, xtol=1e-10).x)
-
-
-def begun(unknowns: Unknowns) -> list:
-    """What says how a segment begins."""
-    own, remember = unknowns.own, [term for term in unknowns.terms if term.begun]
-    return [own.angle, own.angular_velocity, *(getattr(term, term.begun) for term in remember)]
 
 
 def first_states(movements: list[Movement], zero: float) -> SegmentUnknowns:
