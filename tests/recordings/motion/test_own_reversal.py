@@ -1,47 +1,15 @@
-"""Legs that a muscle throws up in their first swing, and legs that a hand lifts there, by SciPy."""
+"""Legs that a muscle throws up in their first swing, and legs that a hand lifts there."""
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 from exoid.recordings.motion.drops import find_drops
 from exoid.recordings.motion.find_free import find_free
 from exoid.recordings.motion.signal import signal_of
 from exoid.recordings.recording import Recording, Segment, Sensors
-from hands import Knee
+from reflexes import ADULT, CHILD, START, measured, swung, thrown
 
-CHILD, ADULT = Knee(40.0, 12.0, 1.55), Knee(27.5, 6.0, 1.1)
-START, LASTING = np.radians(-15.0), 5.0
-BURST = (0.1, 0.3)  # s after the release when a muscle begins to pull, and for how long
 LIFT, FAR = 0.35, np.radians(30.0)  # s that a hand takes to lift a leg, and how far
-
-
-def swung(knee, begin, angle, rate, strength):
-    """Angle and rate at every millisecond; the muscle's torque over the inertia is at most
-    `strength` times gravity's.
-    """
-    since, lasting = BURST
-
-    def slope(t, y):
-        x = (t - since) / lasting
-        pulled = strength * knee.gravity * np.sin(np.pi * x) ** 2 if 0 < x < 1 else 0.0
-        return y[1], knee.pull(*y) + pulled
-
-    time = np.arange(begin, LASTING, 1e-3)
-    found = solve_ivp(slope, (begin, LASTING), (angle, rate), t_eval=time, rtol=1e-9, max_step=0.01)
-    return found.y
-
-
-def measured(angle, hertz, seed=0):
-    """What a goniometer of 0.15 deg of noise sees of a leg that was held for a second before."""
-    angle = np.concatenate([np.full(1000, START), angle])
-    time = np.arange(0.0, angle.size * 1e-3 - 1e-3, 1 / hertz)
-    noise = np.random.default_rng(seed).normal(0, np.radians(0.15), time.size)
-    return Segment(time, raw_angle=np.interp(time, 1e-3 * np.arange(angle.size), angle) + noise)
-
-
-def thrown(knee, strength, hertz):
-    return measured(swung(knee, 0.0, START, 0.0, strength)[0], hertz)
 
 
 def lifted(knee, kept, hertz):

@@ -8,6 +8,7 @@ import numpy as np
 from exoid.recordings.landmarks.expected_rest import expected_rest
 from exoid.recordings.landmarks.local_polynomial import LocalPolynomials, local
 from exoid.recordings.landmarks.measure import NotAllowed, given, ordinal
+from exoid.recordings.landmarks.peak import fastest
 from exoid.recordings.landmarks.release import Release
 from exoid.recordings.landmarks.rest import CutBefore, Rest
 from exoid.recordings.landmarks.swing import Curve, back, curve
@@ -94,8 +95,8 @@ class Landmarks:
         """Where a derivative is greatest (sign 1) or least (-1) between two times of the first two
         swings.
 
-        Polynomials over twice the time say where: the place at which noise lifts it would be read
-        too high.
+        Polynomials over twice the time say near where: the place at which noise lifts it would be
+        read too high.
         """
         times, sharp, wide = self.first_swings
         inside = np.flatnonzero((times >= begin) & (times <= end))
@@ -103,5 +104,9 @@ class Landmarks:
             raise NotAllowed("that part of the swing was not recorded")
         at = int(inside[np.argmax(sign * wide.value(order)[inside])])
         self.track.check_seen(float(times[at]), HALF)
-        time, (value, error) = float(times[at]), sharp.only(at).derivative(order)
+        time, place = float(times[at]), sharp.only(at)
+        if order == 1:
+            after, value, error = fastest(place, sign)
+            return Peak(nearest(self.track, time + after), time + after, HALF, value, error)
+        value, error = place.derivative(order)
         return Peak(nearest(self.track, time), time, HALF, float(value[0]), float(error[0]))
