@@ -1,7 +1,7 @@
 """The measures in the order in which they are told: names, symbols, units, formulas."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 from exoid.pendulum import definitions as read
@@ -68,4 +68,6 @@ def measure(name: str, drop: Landmarks) -> Measure:
         found = declared.read(drop)
     except NotAllowed as why:
         return Measure(*told, reason=str(why))
-    return Measure(*told, found.value, found.error, found.marks)
+    first = float(drop.track.time[0])  # a leg may have been let go between it and the one before
+    marks = tuple(replace(each, time=max(first, each.time)) for each in found.marks)
+    return Measure(*told, found.value, found.error, marks)
