@@ -21,6 +21,7 @@ class Drop:
     landmarks: Landmarks | None  # None where it is refused whole
     reason: str | None = None
     note: str | None = None  # what its errors do not hold
+    halt: str | None = None  # in its first swing
 
     @property
     def curve(self) -> Curve | None:

@@ -4,6 +4,7 @@ import numpy as np
 
 from exoid.pendulum.catalogue import MEASURES, measures
 from exoid.pendulum.drop import Average, Drop, PendulumTest
+from exoid.pendulum.halt import of_halt
 from exoid.pendulum.smoothing import as_smoothed
 from exoid.recordings.conventions.jumps import AGAIN, jumps_of, told_jumps
 from exoid.recordings.landmarks.find_landmarks import find_landmarks
@@ -83,7 +84,8 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
     except NotAllowed as why:
         return Drop(name, segment, mass, {}, None, str(why))
     read, note = as_smoothed(measures(found), cleaned.angle, recording)
-    return Drop(name, segment, mass, read, found, note=note)
+    halt = None if recording.subject.kind == "rig" else of_halt(found)
+    return Drop(name, segment, mass, read, found, note=note, halt=halt)
 
 
 def averages(drops: list[Drop]) -> dict[str, Average]:

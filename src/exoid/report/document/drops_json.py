@@ -30,5 +30,6 @@ def drop(each: Drop) -> dict[str, Any]:
         "begins_s": each.segment.begins,
         "reason": each.reason,
         "note": each.note,
+        "halt": each.halt,
         "measures": {name: shown(one, ["name"]) for name, one in each.measures.items()},
     }

@@ -73,6 +73,7 @@ def refused(test: PendulumTest) -> list[str]:
     said = [f"Segment {', '.join(names)} not read: {reason}." for reason, names in whole.items()]
     noted = by_reason((drop.name, drop.note) for drop in test.drops)
     said += [f"Segment {', '.join(names)}: {note}." for note, names in noted.items()]
+    said += [f"Segment {drop.name}: {drop.halt}." for drop in test.drops if drop.halt]
     for drop in test.drops:
         parts = by_reason((one.title, one.reason) for one in drop.measures.values())
         said += [

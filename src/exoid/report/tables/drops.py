@@ -64,6 +64,8 @@ def print_drop(drop: Drop, console: Console) -> None:
         "at [s]": [f"{each.marks[-1].time:.2f}" if each.marks else "" for each in read],
     }
     print_table(Table("", columns, title), console)
+    if drop.halt:
+        say(console, f"- {drop.halt}.", hanging=2)
     refused = by_reason((each.title, each.reason) for each in drop.measures.values())
     for reason, titles in refused.items():
         say(console, f"- not read: {', '.join(titles)}: {reason.rstrip('.')}.", hanging=2)

@@ -1,0 +1,65 @@
+"""A halt in the first swing, as a stretch reflex makes one: amplitude and index hang on it."""
+
+import numpy as np
+
+from exoid.recordings.landmarks.landmarks import Landmarks
+from exoid.recordings.landmarks.track import HALF, SURE
+from exoid.recordings.samples import Samples
+from exoid.recordings.signal.condition import MOTION_SPEED
+
+SLOW = 0.1  # of the fastest flexion before and after it, of a leg that halts
+FARTHER = np.radians(2.0)  # rad by which a second flexion goes beyond the first
+
+
+def of_halt(drop: Landmarks) -> str | None:
+    """Where the leg halts or turns back on its way to its lowest, by how much it turns, and
+    whether A1 is counted to there; None of a leg that falls at once.
+    """
+    flexions = drop.turns[::2]
+    if len(flexions) > 1 and flexions[0].value - flexions[1].value > FARTHER:
+        halt, top, lowest = drop.turns[:3]
+        return words(halt.value, top.value - halt.value, halt.time - drop.begin, lowest.value, True)
+    if not flexions:
+        return None
+    times, polynomials, _ = drop.first_swings
+    falling = np.flatnonzero((times > drop.begin + HALF / 2) & (times < flexions[0].time))
+    angle = polynomials.value(0)[falling]
+    at = slowest_between(*(each[falling] for each in polynomials.derivative(1)))
+    if at is None:
+        return None
+    low, high = angle[: at + 1].min(), angle[at:].max()
+    error = SURE * drop.track.smoothed_noise(2 * HALF)
+    back = float(high - low) if high - low > error else 0.0
+    return words(
+        float(low if back else angle[at]),
+        back,
+        float(times[falling[at]]) - drop.begin,
+        flexions[0].value,
+        False,
+    )
+
+
+def slowest_between(velocity: Samples, error: Samples) -> int | None:
+    """The sample at which a flexion [rad/s] is slowest between two in which it surely is fast; None
+    where it hardly slows down there.
+    """
+    if velocity.size < 3:
+        return None
+    surely = velocity + SURE * error
+    before = np.minimum.accumulate(surely)
+    after = np.minimum.accumulate(surely[::-1])[::-1]
+    least = np.maximum(before, after)  # the slower of the two
+    halted = np.flatnonzero((least < -MOTION_SPEED) & (velocity > SLOW * least))
+    return int(halted[np.argmax(velocity[halted])]) if halted.size else None
+
+
+def words(angle: float, back: float, after: float, lowest: float, counted: bool) -> str:
+    """In degrees, for the reader."""
+    halt, turned, low = (f"{np.degrees(each):.1f}" for each in (angle, back, lowest))
+    turns = f", turns back by {turned} deg" if back else ""
+    which = "to there" if counted else f"beyond it, to {low} deg"
+    beyond = f" and then falls to {low} deg" if counted else ""
+    return (
+        f"the leg halts at {halt} deg, {after:.2f} s after it began to fall{turns}{beyond}, as by "
+        f"a stretch reflex: A1 and the relaxation index are counted {which}"
+    )
