@@ -92,7 +92,7 @@ def started(
 
 def beginning(prepared: PreparedRecording, number: int, candidate: Hypothesis) -> list[int]:
     """Which of the unknowns say how a segment begins: its own, and those of terms that remember."""
-    own = [each[number] for each in jax.tree.leaves(prepared.numbers.own)]
+    own = [int(each[number]) for each in jax.tree.leaves(prepared.numbers.own)]
     names = [(term, name) for term in candidate.terms for name, _ in declarations(term)]
     first = candidate.unknowns.size - len(names)
     return own + [first + k for k, (term, name) in enumerate(names) if name == term.begun]
