@@ -57,5 +57,5 @@ def test_where_nothing_tells_the_inertia_nothing_tells_it():
 def test_of_an_inertia_that_is_fixed_it_has_the_error_of_the_ratio():
     moment, gravity, _ = of(fit(recorded(DROP), multistart=4, fix={"inertia": 0.42}))
     own, ratio = (one.standard_error / one.value for one in (moment, gravity))
-    assert own == pytest.approx(ratio, rel=1e-6)
+    assert own == pytest.approx(ratio, rel=1e-4)  # what is fixed is held to 1e-5
     assert np.isfinite(own)

@@ -8,10 +8,9 @@ from exoid.recordings.can.frames import EXTENDED, Frames, Log
 from exoid.recordings.can.logs.log_files import read_log
 from exoid.recordings.can.node.log import read_exo
 from exoid.recordings.live.decoding.node_stream import OTHER_FIRMWARE, TWO_NODES, NodeStream
+from exoid.recordings.live.decoding.reading import Reading
 from exoid.recordings.live.decoding.stretch import take_all
 from exoid.recordings.loading.can_log import read_can_log
-
-NAMES = ("time", "angle", "angular_velocity", "torque")
 
 
 def streamed(messages, node=0) -> NodeStream:
@@ -23,7 +22,7 @@ def streamed(messages, node=0) -> NodeStream:
 
 
 def rows(stream) -> np.ndarray:
-    return np.array(stream.ready).reshape(-1, len(NAMES))
+    return np.array(stream.ready).reshape(-1, len(Reading._fields))
 
 
 def frames_of(messages) -> Frames:
