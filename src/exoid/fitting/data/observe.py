@@ -17,6 +17,7 @@ from exoid.recordings.signal.condition import stands, torque_frequencies
 from exoid.recordings.signal.local_line import interpolated, local_line
 
 LONGEST_STEP = 0.02  # s; a gap or slow sampling is bridged by samples that weigh nothing
+LITTLE = 0.01  # of a torque, that lines between its samples may lose
 SPLINE = 5  # order of a smooth torque's spline
 STANDS = 30  # samples in a row of one value: noise of a third of a step makes one of 1000 as long
 GUIDE_WIDTH = 0.06  # s, over which angle and velocity are smoothed to guide a start
@@ -137,17 +138,24 @@ def cycle_torque(time: Samples, each: Movement, reading: str) -> Samples:
 
 
 def measured_torque(time: Samples, each: Movement) -> Samples:
-    """The torque that was measured [N m]: where it is smooth, a spline of order five through its
-    samples, for a line loses (omega h)^2 / 12 of what has the frequency omega, 13 % at five samples
-    a period; otherwise linear between them.
+    """The torque that was measured [N m], linear between its samples.
+
+    Where these are few for it and it is smooth, a spline of order five: a line loses
+    (omega h)^2 / 12 of what has the frequency omega, 13 % at five samples a period.
     """
     torque, own = each.segment.applied_torque, each.segment.time
     if each.kind != "measured" or torque is None:
         return np.zeros_like(time)
     known = interpolated(own, torque)
-    if is_smooth(known):
+    if lost_by_lines(known) > LITTLE and is_smooth(known):
         return make_interp_spline(own, known, k=SPLINE)(np.minimum(time, own[-1]))
     return np.interp(time, own, known)
+
+
+def lost_by_lines(samples: Samples) -> float:
+    """The share of what varies that lines between samples lose."""
+    bends, varies = np.diff(samples, 2), np.std(samples)
+    return float(np.sqrt(np.mean(bends**2)) / (12 * varies)) if bends.size and varies else 0.0
 
 
 def is_smooth(samples: Samples) -> bool:
