@@ -56,7 +56,8 @@ def test_the_filter_goes_on_from_what_the_batch_found(three, fitted, start):
     after = online.estimates(online.refined(belief, found))
     for name in RATIOS:
         assert after[name].value == pytest.approx(found.ratios[name].value, rel=1e-3)
-        assert after[name].error == pytest.approx(found.ratios[name].standard_error, rel=0.05)
+        error = found.ratios[name].standard_error  # holds by the odds where a foot's mass lies, too
+        assert 0.7 * error < after[name].error < 1.05 * error
     before = online.estimates(belief)
     assert after["gyro_bias"].value == pytest.approx(before["gyro_bias"].value, abs=0.002)
 
