@@ -6,8 +6,9 @@ import numpy as np
 
 from exoid.online.model.model import Node
 from exoid.online.model.sample import Sample
+from exoid.recordings.conventions.thin import of_means
 from exoid.recordings.recording import Recording, Segment
-from exoid.recordings.samples import quantile
+from exoid.recordings.samples import block_size, usual_step
 from exoid.recordings.signal.noise import OF_ANGLE, OF_RATE, noise_of
 
 PAUSE = 1.0  # s between segments, each of which has a clock of its own
@@ -39,26 +40,13 @@ def samples_of(recording: Recording) -> Sample:
 
 def columns_of(segment: Segment, begin: float) -> list[np.ndarray]:
     """Time, angle, rate and torque, the first at `begin` [s]; NaN where there is no gyro."""
-    missing = np.full(segment.time.shape, np.nan)
-    rates = (segment.raw_angular_velocity, segment.angular_velocity, missing)
+    together = block_size(usual_step(segment.time), QUICKEST) if segment.time.size > 1 else 1
+    part = of_means(segment, together)
+    missing = np.full(part.time.shape, np.nan)
+    rates = (part.raw_angular_velocity, part.angular_velocity, missing)
     rate = next(each for each in rates if each is not None)
-    torque = np.zeros_like(missing) if segment.applied_torque is None else segment.applied_torque
-    time, *others = (
-        means(each, together_of(segment.time))
-        for each in (segment.time, segment.best_angle, rate, torque)
-    )
-    return [time - time[0] + begin, *others]
-
-
-def together_of(time: np.ndarray) -> int:
-    """How many samples become one."""
-    return max(1, int(QUICKEST / quantile(np.diff(time)))) if time.size > 1 else 1
-
-
-def means(values: np.ndarray, together: int) -> np.ndarray:
-    """Of so many samples each; NaN where one of them is."""
-    whole = max(values.size // together, 1) * together
-    return values if together == 1 else values[:whole].reshape(-1, together).mean(axis=1)
+    torque = np.zeros_like(missing) if part.applied_torque is None else part.applied_torque
+    return [part.time - part.time[0] + begin, part.best_angle, rate, torque]
 
 
 def node_of(recording: Recording) -> Node:
@@ -83,7 +71,7 @@ def node_of(recording: Recording) -> Node:
         angle_step=0.0,
         velocity_noise=level_of(times, rates, said.velocity_noise, OF_RATE, LEAST[1]),
         velocity_step=0.0,
-        period=max(own.period, *(quantile(np.diff(each)) for each in times)),
+        period=max(own.period, *(usual_step(each) for each in times)),
         **{name: value for name, value in known.items() if value is not None},
     )
 

@@ -24,8 +24,8 @@ from exoid.fitting.solve.program_values import Solved
 
 CONVINCING = 3.0  # gain of log likelihood from which on a seat is held for tilted
 STEEPEST = np.radians(5.0)  # standard deviation of its tilt
-FOOT = 0.5  # of legs whose does, before one is seen
 LYING = 2.0  # times it: a fit with a seat that is tilted by more takes it for something else
+FOOT = 0.5  # of all legs, whose centre of mass is taken to lie beside their line
 FINE = 1e-2  # tolerance, in units of noise
 DISAGREE = 5.0  # standard errors from which on encoder and gyro clearly disagree in scale
 SUSPECTED = 0.6  # of that disagreement: each of three may hold all of it, or a part
