@@ -3,11 +3,15 @@
 import equinox as eqx
 import numpy as np
 import pytest
+from scipy.signal import butter, lfilter, lfilter_zi
 
 from exoid.fitting.data.observe import observe
 from exoid.fitting.data.segment import movement
 from exoid.mismatch.evidence.yardstick import Yardstick
-from exoid.mismatch.sensors.consistency import consistency
+from exoid.mismatch.sensors.compare import compare
+from exoid.mismatch.sensors.consistency import consistency, segment
+from exoid.mismatch.sensors.faults import USUAL
+from exoid.mismatch.sensors.strikes import strikes
 from fit_cases import DROP, recorded
 
 TRUE = {"gyro_scale": -0.128, "gyro_bias": 0.01, "sensor_skew": 0.006}
@@ -37,6 +41,24 @@ def test_what_the_gyro_does_wrong_is_measured(name):
         true = TRUE[name] if other == name else 0.0
         assert abs(error.value - true) < 5 * error.standard_error + 0.01 * abs(true)
     assert each[name].clear
+
+
+@pytest.mark.parametrize("corner", [4.0, 6.0, 12.0])  # Hz
+def test_a_gyro_behind_a_slow_filter_is_late_by_its_group_delay(corner):
+    """The leg's own 0.9 Hz is well below, where the filter is a delay of sqrt(2) / (2 pi f), f
+    warped by the bilinear transform.
+    """
+    observation = seen()
+    time, rates = np.asarray(observation.time), np.asarray(observation.angular_velocity)
+    rate = 1 / np.median(np.diff(time[0]))
+    low = butter(2, corner, fs=rate)
+    smooth = np.stack([lfilter(*low, row, zi=lfilter_zi(*low) * row[0])[0] for row in rates])
+    slow = eqx.tree_at(lambda o: o.angular_velocity, observation, smooth)
+    drops = [segment(slow, number) for number in range(2)]
+    scale, bias, skew = compare(drops, [strikes(*each) for each in drops], USUAL).values
+    assert skew == pytest.approx(np.sqrt(0.5) / rate / np.tan(np.pi * corner / rate), rel=0.02)
+    assert abs(scale) < 0.02  # second order in the delay: (2 pi 0.9 Hz * 0.056 s)^4 / 8
+    assert abs(bias) < 0.01
 
 
 def test_sound_sensors_are_called_sound():

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.signal import butter, lfilter
 
 from exoid.recordings.motion.extent import Motionless
 from exoid.recordings.motion.find_free import find_free
@@ -50,6 +51,16 @@ def test_a_gyro_that_is_off_by_its_bias_is_no_movement(device):
     biased = replace(segment, raw_angular_velocity=segment.raw_angular_velocity + 0.03)
     extent = find_free(signal_of(biased, recording.sensors))
     assert extent.release == pytest.approx(release + 0.025, abs=0.005)
+
+
+@pytest.mark.parametrize("corner", [4.0, 6.0, 12.0])  # Hz
+def test_a_gyro_behind_a_slow_filter_does_not_tell_when_it_was(corner):
+    recording, release = dropped(ADULT, Hand(), GYRO, lasting=3.0)
+    (segment,) = recording.segments
+    low = butter(2, corner, fs=1 / np.median(np.diff(segment.time)))
+    slow = replace(segment, raw_angular_velocity=lfilter(*low, segment.raw_angular_velocity))
+    extent = find_free(signal_of(slow, recording.sensors))
+    assert extent.release == pytest.approx(release + 0.025, abs=3 * extent.release_error + 3e-3)
 
 
 @pytest.mark.parametrize("device", [GYRO, ENCODER, CAMERA])

@@ -90,10 +90,8 @@ def with_right_gyros(
     values: np.ndarray,
 ) -> list[Measured]:
     """The data as gyros without these errors would have shown them."""
-    skew = skew_of(faults, values)
     return [
-        (time, right(time, data, motion, faults, values), within(time, weights, skew))
-        for (time, data, weights), motion in zip(segments, motions, strict=True)
+        right(one, motion, faults, values) for one, motion in zip(segments, motions, strict=True)
     ]
 
 
@@ -103,21 +101,39 @@ def skew_of(faults: tuple[Fault, ...], values: np.ndarray) -> float:
     return float(own[0][0]) if own else 0.0
 
 
-def within(time: Samples, weights: np.ndarray, skew: float) -> np.ndarray:
-    """The weights, 0 where a late gyro shows what was before or after the encoder's samples."""
-    shown = time - skew
-    inside = (shown >= time[0]) & (shown <= time[-1])
-    return np.stack([weights[:, 0], weights[:, 1] * inside], axis=1)
-
-
-def right(time, data, motion: Reference, faults, values) -> np.ndarray:
-    """One segment's data: the errors at the instants that a late gyro shows, and its lateness."""
-    velocity, wrong = motion.angular_velocity, motion.angular_velocity
+def right(
+    measured: Measured, motion: Reference, faults: tuple[Fault, ...], values: np.ndarray
+) -> Measured:
+    """One segment: what a late gyro shows stands in the row about the instant that it shows, so
+    that the motion, which the gyro itself tells, is asked for no more than the rest of the way.
+    """
+    time, data, weights = measured
+    wrong = motion.angular_velocity
     for one, own in zip(faults, split(faults, values), strict=True):
         if one is not SKEW:
             wrong = wrong + one.columns(motion) @ own
-    late = np.interp(time - skew_of(faults, values), time, wrong)
-    return np.stack([data[:, 0], data[:, 1] - late + velocity], axis=1)
+    skew = skew_of(faults, values)
+    source, row = moved(time, np.flatnonzero(weights[:, 1]), skew)
+    error = np.interp(time[source] - skew, time, wrong) - motion.angular_velocity[row]
+    gyro = np.zeros((2, time.size))
+    gyro[:, row] = data[source, 1] - error, weights[source, 1]
+    return time, np.stack([data[:, 0], gyro[0]], axis=1), np.stack([weights[:, 0], gyro[1]], axis=1)
+
+
+def moved(time: Samples, rows: np.ndarray, skew: float) -> tuple[np.ndarray, np.ndarray]:
+    """Of the gyro's samples in these rows, those that show an instant of the record, and the rows,
+    as many of them earlier as it is late, to which they go.
+    """
+    if rows.size < 2:
+        return rows, rows
+    by = int(np.rint(skew * (rows.size - 1) / (time[rows[-1]] - time[rows[0]])))
+    place = np.arange(rows.size) - by
+    inside = (place >= 0) & (place < rows.size)
+    source, row = rows[inside], rows[place[inside]]
+    shown = time[source] - skew
+    near = np.abs(shown - time[row]) <= abs(skew)  # not over a hole
+    kept = near & (shown >= time[0]) & (shown <= time[-1])
+    return source[kept], row[kept]
 
 
 def split(faults: tuple[Fault, ...], values: np.ndarray) -> list[np.ndarray]:

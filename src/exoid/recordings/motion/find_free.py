@@ -14,6 +14,7 @@ from exoid.recordings.motion.swings import swung
 from exoid.recordings.motion.thresholds import (
     BLOCK,
     CLEAR,
+    CONTRARY,
     FALL,
     HELD,
     HOLD,
@@ -122,9 +123,14 @@ def released(
     signal: Signal, speed: Speed, first: int, room: tuple[float, ...] = ODD
 ) -> LettingGo | None:
     """How the leg that first moves at `first` was let go; None where it begins in motion."""
-    if signal.alike is None:
-        return looked_into(signal, speed, first, room)
-    return looked_into(signal.alike, speed_of(signal.alike), first, room)
+    both = signal.samples
+    speed = speed if both is signal else speed_of(both)
+    found = looked_into(both, speed, first, room)
+    if found is None or both.velocity is None or found.misfit < CONTRARY:
+        return found
+    alone = looked_into(replace(both, velocity=None), speed, first, room)
+    contrary = alone is not None and found.misfit > CONTRARY * max(1.0, alone.misfit)
+    return alone if contrary else found
 
 
 @remembered  # by far the most of the search, and the same of every drop whoever asks

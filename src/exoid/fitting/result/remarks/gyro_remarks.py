@@ -9,6 +9,7 @@ from exoid.recordings.signal.condition import SMOOTHING
 from exoid.recordings.signal.local_line import local_line
 
 MOST = 0.5  # of the squares by which gyro and encoder differ, that their delay must explain
+FILTERED = 0.01  # s, from where on a filter, which delays and smooths, shows another motion
 
 
 def of_unused_gyro(movements: Sequence[Movement]) -> list[str]:
@@ -35,9 +36,12 @@ def of_late_gyro(movements: Sequence[Movement]) -> list[str]:
     if late is None:
         return []
     when = "later" if late > 0 else "earlier"
+    by = "sensor_skew'"
+    if abs(late) > FILTERED:
+        by = "butterworth_filter', or first_order_filter, or for a mere delay sensor_skew,"
     return [
         f"the gyro shows the leg about {1000 * abs(late):.2g} ms {when} than the encoder, which is "
-        "most of how the two differ. Errors are widened for it; 'exoid fit --with sensor_skew' "
+        f"most of how the two differ. Errors are widened for it; 'exoid fit --with {by} "
         "estimates it, and 'exoid diagnose' asks whether it is that."
     ]
 
