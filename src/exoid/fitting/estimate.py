@@ -74,9 +74,11 @@ def fit(
     (start, 6) in the order m, J, l, d, c, tau, replace the draw from the limits by `seed`. `near`
     is such a row that the fit is known to end close to, with `terms` that have values: no start is
     led to the measured motion first. `clip` "paper" keeps what lies between the first and the last
-    sample faster than 20 deg/s (Eq. 3-4), in place of what moved freely. `at_once` says that where
-    a recording begins with its release, no hand is on the leg from the first sample on; else its
-    first instants count where they fit to the rest, unless a term remembers what was before. Of
+    sample faster than 20 deg/s (Eq. 3-4), in place of what moved freely. `at_once` says that hands
+    let go at once: where a recording begins with its release, none is on the leg from the first
+    sample on. Else such first instants count where they fit to the rest, and drops that are only
+    followed from their greatest speed or their first turn on begin there, unless a term remembers
+    what was before. Of
     recordings with more segments and samples than `most` those are fitted that tell most, and
     `set_aside` of the result says what was not.
 
@@ -129,6 +131,7 @@ def fit(
             problem,
             ended,
             lambda kept, count: search_of(kept, best, count),
+            lambda found: describe(*found, None, None).follows,
             multistart,
             at_once=at_once,
         )

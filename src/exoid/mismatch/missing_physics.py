@@ -69,7 +69,7 @@ def diagnose(
     result = fit(named, multistart=multistart, **options)
     ask = partial(asked, named=named, terms=terms, seed=seed, told=told)
     movements = [] if result.basis is None else result.basis.problem.movements
-    if any(each.late for each in movements):
+    if any(each.late or each.slow for each in movements):
         at_once = {**options, "at_once": True}
         whole = ask(fit(named, multistart=multistart, **at_once))
         if names_it(whole) and not by_sensors(whole):
@@ -152,8 +152,8 @@ def from_the_first(found: Diagnosis, movements: list[Movement]) -> bool:
     """
     work = just_made(found)
     seen = work.found.prepared.seen
-    late = np.array([[each.late] for each in movements])
-    early = np.arange(seen.time.shape[1]) < late
+    late = np.array([[each.slow or each.segment.time[each.late]] for each in movements])
+    early = seen.time < late
     each = misfits(seen.weighed(early), work.best.motion)
     left = np.concatenate([one for channels in each for one in channels])
     return noise_alone(left, size(work.best))

@@ -44,6 +44,7 @@ class Movement:
     absent: tuple[str, ...] = ()  # what of Eq. 9 a rig does not have: gravity, stiffness
     gain_known: bool = True  # of the measured torque; else its unit is any
     late: int = 0  # samples from the first that weigh nothing, though nobody was seen to hold it
+    slow: float = 0.0  # s that were left out behind its release: a hand let go slowly
     kept: int | None = None  # samples after which a hand holds it that only a fit has seen
     filter: str = UNTOLD  # which filter its filtered channels went through
     filter_told: bool = True  # and does the recording say so?

@@ -1,0 +1,87 @@
+"""A drop whose hand let go slowly, or moved as it let go: from when on did the leg swing by itself?
+
+In its fall alone such a leg is hardly told from another leg. But no hand that lets go turns a leg
+around at the bottom: from there on it swings freely, and often since it was fastest.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from exoid.fitting.data.movement import Movement, smoothed_motion
+from exoid.fitting.data.observe import GUIDE_WIDTH
+from exoid.fitting.hands.last_instants import LOUD, Fitted, misses
+from exoid.fitting.misfit.missed import NOISY
+from exoid.recordings.motion.thresholds import CLEAR, SWAY, TRAVEL
+from exoid.recordings.signal.condition import cut, reversals
+
+TURNS = 2  # after the bottom: the least that tells how a leg swings by itself
+
+Instant = Callable[[Movement], int]
+
+
+def without_slow_release(
+    movements: list[Movement],
+    fit: Callable[[list[Movement]], Fitted],
+    follows: Callable[[Fitted], bool],
+) -> list[Movement] | None:
+    """The drops from when on they were free; None where what is left does not fit either.
+
+    `follows` says whether a fit follows its recording.
+    """
+    if not any(map(bottom, movements)):
+        return None
+    for instant in (fastest, bottom):
+        later = [begun(each, instant(each)) for each in movements]
+        found = fit(later)
+        if follows(found) and swings_freely(found):
+            return later
+    return None
+
+
+def swings_freely(found: Fitted) -> bool:
+    """Is there no torque in what is left of the drops, and hardly more than noise?"""
+    problem, ended = found
+    missed = ended.disturbance.like("passive")
+    drops = [number for number, each in enumerate(problem.movements) if each.kind == "passive"]
+    loud = any(np.nanmean(misses(problem, ended.best, n) ** 2) > LOUD**2 for n in drops)
+    return missed.cause != "torque" and missed.noise < NOISY and not loud
+
+
+def bottom(each: Movement) -> int:
+    """The sample at which a drop first turns around; 0 where too few turns follow."""
+    if each.extent is None or each.kind != "passive":
+        return 0
+    smooth, _ = smoothed_motion(each, GUIDE_WIDTH)
+    clear = CLEAR * each.angle_noise
+    turns = reversals(smooth, max(SWAY, clear))
+    if not turns or len(reversals(smooth[turns[0] :], max(TRAVEL, clear))) < TURNS:
+        return 0
+    return turns[0]
+
+
+def fastest(each: Movement) -> int:
+    """The sample at which a drop is fastest on its way to the bottom."""
+    first = bottom(each)
+    speed = np.abs(smoothed_motion(each, GUIDE_WIDTH)[1])
+    return int(np.argmax(speed[: first + 1])) if first else 0
+
+
+def begun(each: Movement, count: int) -> Movement:
+    """The same from this sample on, which finds the leg in motion."""
+    if count == 0 or each.extent is None:
+        return each
+    rate, at = each.angular_velocity, float(each.segment.time[count])
+    first = each.extent.start + count
+    return replace(
+        each,
+        segment=cut(each.segment, slice(count, None)),
+        angle=each.angle[count:],
+        angular_velocity=None if rate is None else rate[count:],
+        onset=each.onset - at,
+        extent=replace(each.extent, held_until=None, start=first, free=first, doubted=0),
+        late=0,
+        kept=None if each.kept is None else each.kept - count,
+        slow=at,
+    )
