@@ -56,7 +56,7 @@ def twitching(time, angle, velocity):
     return 4.0 * np.exp(-(((time - 0.35) / 0.06) ** 2)) - 0.3 * np.tanh(velocity / 0.05)
 
 
-def swing(start, period, torque, reflex):
+def swing(start, period, torque, reflex, tilt):
     """Angle [rad] and angular velocity at 100 Hz."""
     number = PERIODS.index(period) if period in PERIODS else 0
 
@@ -65,7 +65,7 @@ def swing(start, period, torque, reflex):
         push = reflex(time, angle, velocity)
         if not np.isnan(period):
             push = torque(time, angle, period, EFFORTS[number])
-        return velocity, push - GRAVITY * np.cos(angle) - STIFFNESS * angle - DAMPING * velocity
+        return velocity, push - GRAVITY * np.cos(angle + tilt) - STIFFNESS * angle - DAMPING * velocity
 
     time = np.arange(0.0, 2.4 if np.isnan(period) else period, 0.01)
     span = (0.0, time[-1] + 1e-9)
@@ -74,12 +74,20 @@ def swing(start, period, torque, reflex):
 
 
 @cache
-def recorded(torque=rehearsed, reflex=calm, sensors=NOISE, seed=0, kinds=("passive", "active")):
-    """A drop and two cycles, or only those of these kinds."""
+def recorded(
+    torque=rehearsed,
+    reflex=calm,
+    sensors=NOISE,
+    seed=0,
+    kinds=("passive", "active"),
+    tilt=0.0,
+    drops=1,
+):
+    """Drops and two cycles, or only those of these kinds."""
     rng = np.random.default_rng(seed)
     segments, said = [], []
-    for start, period in SEGMENTS:
-        time, (angle, velocity) = swing(start, period, torque, reflex)
+    for start, period in [*SEGMENTS[:1] * (drops - 1), *SEGMENTS]:
+        time, (angle, velocity) = swing(start, period, torque, reflex, tilt)
         angle = angle + sensors.angle_noise * rng.normal(size=time.size)
         gyro = None
         if sensors.velocity_noise:
@@ -139,6 +147,18 @@ def test_what_cycles_tell_that_are_not_followed_is_not_told(sensors):
     for name, truth in TRUE.items():
         assert abs(both.ratios[name].value - truth) < 3 * both.ratios[name].standard_error
     assert list(identify(both).combinations) == list(TRUE)
+
+
+@pytest.mark.parametrize("tilt", np.radians([-4.0, 4.0]))
+def test_drops_tell_of_a_tilted_seat_beside_cycles_that_nobody_follows(tilt):
+    both = fitted(kicked, tilt=tilt, drops=2)
+    assert both.follows
+    assert both.mountings[0].tilt.value == pytest.approx(tilt, abs=np.radians(1.5))
+    for name, truth in TRUE.items():
+        found = both.ratios[name]
+        assert abs(found.value - truth) < 3 * found.standard_error, name
+        assert found.standard_error < 0.1 * truth, name
+    assert all(each.angle_rmse < 1.2 * each.angle_noise for each in both.segments[:2])
 
 
 @pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.proof)])

@@ -14,7 +14,8 @@ from exoid.fitting.data.fitted_samples import Clip
 from exoid.fitting.data.movement import Movement, all_driven
 from exoid.fitting.data.segment import movement
 from exoid.fitting.data.size_of_rig import scale_of
-from exoid.fitting.hands.unseen_hands import without_unseen_hands
+from exoid.fitting.hands.slow_release import of_slow, without_slow_release
+from exoid.fitting.hands.unseen_hands import FEW, without_unseen_hands
 from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName, by_hand
 from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.prior_and_limits import believe
@@ -78,9 +79,8 @@ def fit(
     let go at once: where a recording begins with its release, none is on the leg from the first
     sample on. Else such first instants count where they fit to the rest, and drops that are only
     followed from their greatest speed or their first turn on begin there, unless a term remembers
-    what was before. Of
-    recordings with more segments and samples than `most` those are fitted that tell most, and
-    `set_aside` of the result says what was not.
+    what was before. Of recordings with more segments and samples than `most` those are fitted that
+    tell most, and `set_aside` of the result says what was not.
 
     `terms` are what Eq. 9 leaves out and this model has: classes of the library
     (`exoid.physics.library`) or of your own. An instance says where its search begins. Their
@@ -126,12 +126,12 @@ def fit(
     # What a term remembers is only known of a leg that has not moved yet; a sensor soon forgets it.
     remembering = (each for each in classes if not issubclass(each, SensorTerm))
     at_once = at_once or any(each.memory_size > 0 for each in remembering)
-    if method == "lm" and clip == "free" and not plain:
+    handled = method == "lm" and clip == "free" and not plain
+    if handled:
         problem, ended = without_unseen_hands(
             problem,
             ended,
             lambda kept, count: search_of(kept, best, count),
-            lambda found: describe(*found, None, None).follows,
             multistart,
             at_once=at_once,
         )
@@ -141,8 +141,21 @@ def fit(
         describe(*tried[reading], None, None).angle_rmse for reading in tried if reading != best
     ]
     voluntary = any(each.voluntary for each in movements)
-    result = describe(problem, ended, best if voluntary else None, others[0] if others else None)
-    return with_aside(result, [*amount.notes, *left_out(amount.parts, movements)])
+
+    def described(found: tuple[Problem, SearchResult]) -> FitResult:
+        return describe(*found, best if voluntary else None, others[0] if others else None)
+
+    result, aside = described((problem, ended)), [*amount.notes, *left_out(amount.parts, movements)]
+    if handled and not (result.follows or at_once or problem.belief.rig):
+        swinging = without_slow_release(
+            problem.movements,
+            lambda kept: search_of(kept, best, FEW),
+            lambda found: described(found).follows,
+        )
+        if swinging is not None:
+            result = described(search_of(swinging, best))
+            aside += of_slow(swinging)
+    return with_aside(result, aside)
 
 
 def classes_of(terms: Sequence[type[Term] | Term]) -> tuple[type[Term], ...]:

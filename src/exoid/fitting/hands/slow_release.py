@@ -85,3 +85,15 @@ def begun(each: Movement, count: int) -> Movement:
         kept=None if each.kept is None else each.kept - count,
         slow=at,
     )
+
+
+def of_slow(movements: list[Movement]) -> list[str]:
+    """A note of the drops that begin behind their release; `slow` of each says how far."""
+    since = [f"{each.name} from {each.segment.begins:.2f} s" for each in movements if each.slow]
+    if not since:
+        return []
+    return [
+        "the drops begin as where a hand lets go slowly, or moves as it lets go, or a muscle holds "
+        "the leg: no leg falls like this that swings as they do afterwards. The numbers come from "
+        f"these swings alone: segment {', '.join(since)} on. Let go at once."
+    ]

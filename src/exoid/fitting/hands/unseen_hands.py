@@ -5,7 +5,6 @@ from collections.abc import Callable
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.hands.first_instants import differ, disturbed, doubtful, without_first_instants
 from exoid.fitting.hands.last_instants import without_hands
-from exoid.fitting.hands.slow_release import without_slow_release
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.solve.problem import Problem
 
@@ -16,15 +15,13 @@ def without_unseen_hands(
     problem: Problem,
     ended: SearchResult,
     search_of: Callable[[list[Movement], int], tuple[Problem, SearchResult]],
-    follows: Callable[[tuple[Problem, SearchResult]], bool],
     starts: int,
     *,
     at_once: bool,
 ) -> tuple[Problem, SearchResult]:
     """The search again without the begins and ends of movements, where they alone do not fit.
 
-    `search_of` takes movements and a number of starts; `follows` says whether a fit follows its
-    recording.
+    `search_of` takes movements and a number of starts.
     """
     movements = problem.movements
     rest = movements if at_once else without_first_instants(movements)
@@ -36,8 +33,4 @@ def without_unseen_hands(
         freed = without_hands(problem, ended, lambda kept: search_of(kept, FEW))
         if freed is not None:
             problem, ended = search_of(freed, starts)
-    if not (problem.belief.rig or at_once or follows((problem, ended))):
-        later = without_slow_release(problem.movements, lambda kept: search_of(kept, FEW), follows)
-        if later is not None:
-            problem, ended = search_of(later, starts)
     return problem, ended

@@ -17,7 +17,7 @@ from exoid.fitting.model.coordinates import TYPICAL, places
 from exoid.fitting.model.systematics import SLANT
 from exoid.fitting.model.term_parameters import parameters_of
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.multistart.weight_by_kind import explained
+from exoid.fitting.multistart.weight_by_kind import likelihood
 from exoid.fitting.solve.ask import advance, lowest, take, task, told_at
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
@@ -48,10 +48,10 @@ class Tilt:
 
 
 def with_tilted_seats(
-    problem: Problem, free: Solved, row: int, alike: Disturbance
+    problem: Problem, free: Solved, row: int, left: Disturbance
 ) -> tuple[Problem, Solved]:
     """The same, its priors wider for seats that are clearly tilted, and all free fits under them.
-    `alike` is what is in the residual of the best `row`.
+    `left` is what is in the residual of the best `row`, and how its kinds of segments are weighed.
 
     Seen as if only white noise were in the residual, a tilt may be anything that the model misses:
     it is believed where it explains the residual better than that would.
@@ -59,14 +59,14 @@ def with_tilted_seats(
     wide = tilted(problem, free, row)
     if wide is None:
         return problem, free
-    lanes = take(free.coordinates, [row] * free.loss.size)
-    again = advance(wide, lanes, task(wide, 0.0, wide.steps, FINE))
-    gain = likelihood(explained(wide, again, 0)) - likelihood(alike)
+    asked, weighing = task(wide, 0.0, wide.steps, FINE), left.weighing(problem.kinds)
+    again = advance(wide, take(free.coordinates, [row] * free.loss.size), asked, weighing)
+    gain = likelihood(wide, again, 0, left) - likelihood(problem, free, row, left)
     price = np.log(wide.deviation_of("tilt") / problem.deviation_of("tilt")).sum()
     steepest = float(np.abs(again.coordinates.mounting.tilt[lowest(again)]).max())
     if steepest > LYING * STEEPEST or not gain - price > CONVINCING:
         return problem, free
-    return wide, advance(wide, free.coordinates, task(wide, 0.0, wide.steps, FINE))
+    return wide, advance(wide, free.coordinates, asked, weighing)
 
 
 def slanted(problem: Problem, ended: SearchResult) -> dict[str, float]:
@@ -103,11 +103,6 @@ def off(problem: Problem, ended: SearchResult, entry: int, total: np.ndarray) ->
     step = -less * after[:, place] * ended.point.mounting.tilt[entry] / unit
     spread = np.einsum("qi,ij,qj->q", slopes, after - variances(total), slopes)
     return (slopes @ step) ** 2 + np.maximum(spread, 0.0)
-
-
-def likelihood(found: Disturbance) -> float:
-    """Of what is in the residual, alike in all segments."""
-    return next(iter(found.kinds.values())).likelihood
 
 
 def tilted(problem: Problem, free: Solved, row: int) -> Problem | None:

@@ -140,14 +140,14 @@ def with_terms(
 def with_what_is_missed(problem: Problem, free: Solved) -> tuple[Problem, Solved, Disturbance]:
     """The free fits by what every kind of segment misses, on seats that are tilted if need be.
 
-    Where one kind is explained by itself, others that are not say nothing of the seat.
+    Where kinds miss different things, the one that is weighed most tells of the seat.
     """
     row = lowest(free)
     alike = explained(problem, free, row)
     again, found = weighed_by_kind(problem, free, row, alike)
     if found.apart and found.kinds[found.trusted].cause is None:
         return problem, again, found
-    wide, tilted = with_tilted_seats(problem, free, row, alike)
+    wide, tilted = with_tilted_seats(problem, again, lowest(again), found)
     if wide is problem:
         return problem, again, found
     row = lowest(tilted)

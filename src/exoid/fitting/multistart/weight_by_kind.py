@@ -40,6 +40,17 @@ def explained(problem: Problem, at: Solved, row: int = 0) -> Disturbance:
     return left_by(every, problem, at, row, common(found, problem.kinds))
 
 
+def likelihood(problem: Problem, at: Solved, row: int, weighed: Disturbance) -> float:
+    """The logarithm of the likelihood of what is in the residual: of all segments, or of those that
+    are weighed most.
+    """
+    if not weighed.apart:
+        return next(iter(explained(problem, at, row).kinds.values())).likelihood
+    kind, size = weighed.trusted, layout(take(at.coordinates, row)).size
+    each = [*of_kind(problem, kind, at, row), declared_at(problem, at, row)]
+    return explain(each, plausible(problem.observation), count(problem, [kind]), size).likelihood
+
+
 def explained_apart(problem: Problem, at: Solved, row: int, alike: Disturbance) -> Disturbance:
     """The same by kinds of segments, where that explains much better what is `alike` in all."""
     kinds = [kind for kind in KINDS if kind in problem.kinds]

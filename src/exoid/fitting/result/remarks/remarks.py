@@ -53,7 +53,6 @@ def remarks(
     said += of_unused_gyro(problem.movements)
     said += of_memory(problem)
     said += of_late(problem, ended.disturbance)
-    said += of_slow(problem)
     said += of_kept(problem)
     said += noise_remarks(problem.movements)
     gravity = float(ended.best.coordinates.shared.gravity[0])
@@ -134,19 +133,6 @@ def of_late(problem: Problem, found: Disturbance) -> list[str]:
         f"the first {longest:.2f} s of segment {', '.join(each.name for each in late)} weigh "
         "nothing: the recording begins as the leg is let go, and they do not fit to the "
         f"rest{hand}. Record from 0.3 s before the release on."
-    ]
-
-
-def of_slow(problem: Problem) -> list[str]:
-    """Which drops count only since their leg swung by itself: a hand let it go slowly."""
-    slow = [each for each in problem.movements if each.slow]
-    if not slow:
-        return []
-    since = ", ".join(f"{each.name} from {each.segment.begins:.2f} s" for each in slow)
-    return [
-        "the drops begin as where a hand lets go slowly, or moves as it lets go, or a muscle holds "
-        "the leg: no leg falls like this that swings as they do afterwards. The numbers come from "
-        f"these swings alone: segment {since} on. Let go at once."
     ]
 
 
