@@ -1,11 +1,17 @@
 """A gyro that is later than the encoder, told from their motions alone; one that is not used."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+from scipy.signal import butter, lfilter
 
 from exoid.fitting.data.segment import movement
+from exoid.fitting.estimate import fit
 from exoid.fitting.result.remarks.gyro_remarks import late_gyro, of_late_gyro, of_unused_gyro
+from exoid.physics.sensing.butterworth_filter import ButterworthFilter
 from exoid.recordings.recording import Protocol, Recording, Segment
+from hands import ADULT, Device, Hand, dropped
 
 MIDDLE, SIZE, DECAY, RATE = -1.3, 0.9, 0.4, 5.5  # rad, rad, 1/s, rad/s
 
@@ -38,8 +44,11 @@ def test_other_errors_are_no_delay():
 def test_the_user_is_told_when_and_what_to_do():
     (said,) = of_late_gyro(swing(0.02))
     assert "about 20 ms later" in said
-    assert "--with sensor_skew" in said
-    assert "about 9.8 ms earlier" in of_late_gyro(swing(-0.01))[0]
+    assert "--with butterworth_filter" in said  # as long as that, it is rather a filter
+    assert "sensor_skew" in said
+    (said,) = of_late_gyro(swing(-0.01))
+    assert "about 9.8 ms earlier" in said
+    assert "'exoid fit --with sensor_skew'" in said
     assert of_late_gyro(swing()) == []
 
 
@@ -53,3 +62,22 @@ def test_a_raw_gyro_beside_a_filtered_angle_is_said_to_be_unused():
     (said,) = of_unused_gyro([each])
     assert "the gyro of segment swing 0 is not used" in said
     assert of_unused_gyro([swung]) == []
+
+
+@pytest.mark.parametrize("corner", [5.0, 12.0])  # Hz
+def test_a_fit_that_a_slow_filter_of_the_gyro_spoils_says_what_mends_it(corner):
+    recording, _ = dropped(ADULT, Hand(), Device(), lasting=6.0)
+    (segment,) = recording.segments
+    low = butter(2, corner, fs=1 / np.median(np.diff(segment.time)))
+    slow = replace(segment, raw_angular_velocity=lfilter(*low, segment.raw_angular_velocity))
+    spoiled = replace(recording, segments=(slow,))
+    plain = fit(spoiled, multistart=4)
+    assert not plain.follows
+    assert "'exoid fit --with butterworth_filter'" in plain.notes[0]
+    mended = fit(spoiled, multistart=4, terms=(ButterworthFilter,))
+    assert mended.follows
+    assert not any("later than the encoder" in each for each in mended.notes)
+    for name in ("gravity", "stiffness", "damping"):
+        found = mended.ratios[f"{name}_over_inertia"]
+        assert abs(found.value - getattr(ADULT, name)) < 3 * found.standard_error
+        assert found.standard_error < 0.1 * getattr(ADULT, name)

@@ -65,7 +65,9 @@ def swing(start, period, torque, reflex, tilt):
         push = reflex(time, angle, velocity)
         if not np.isnan(period):
             push = torque(time, angle, period, EFFORTS[number])
-        return velocity, push - GRAVITY * np.cos(angle + tilt) - STIFFNESS * angle - DAMPING * velocity
+        return velocity, push - GRAVITY * np.cos(
+            angle + tilt
+        ) - STIFFNESS * angle - DAMPING * velocity
 
     time = np.arange(0.0, 2.4 if np.isnan(period) else period, 0.01)
     span = (0.0, time[-1] + 1e-9)

@@ -153,7 +153,7 @@ def notes(result: FitResult, basis: Basis, at_bound: set[str], slack: Leaning | 
     problem, ended = basis.problem, basis.ended
     known = [*limiting({**result.parameters, **result.ratios}), *granted(problem)]
     return [
-        *of_astray(result.astray, problem.belief, len(problem.recordings) > 1),
+        *of_astray(result.astray, problem),
         *(of_misplaced(problem, ended) if result.follows else []),
         *of_the_rest(result.segments, ended.disturbance),
         *remarks(problem, ended, at_bound, follows=result.follows),

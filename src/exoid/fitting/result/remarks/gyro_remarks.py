@@ -35,15 +35,26 @@ def of_late_gyro(movements: Sequence[Movement]) -> list[str]:
     late = late_gyro(movements)
     if late is None:
         return []
-    when = "later" if late > 0 else "earlier"
-    by = "sensor_skew'"
-    if abs(late) > FILTERED:
-        by = "butterworth_filter', or first_order_filter, or for a mere delay sensor_skew,"
     return [
-        f"the gyro shows the leg about {1000 * abs(late):.2g} ms {when} than the encoder, which is "
-        f"most of how the two differ. Errors are widened for it; 'exoid fit --with {by} "
-        "estimates it, and 'exoid diagnose' asks whether it is that."
+        f"{lateness(late)}, which is most of how the two differ. Errors are widened for it; "
+        f"{remedy(late)} estimates it, and 'exoid diagnose' asks whether it is that."
     ]
+
+
+def lateness(late: float) -> str:
+    """That a gyro is so late [s], in words."""
+    when = "later" if late > 0 else "earlier"
+    return f"the gyro shows the leg about {1000 * abs(late):.2g} ms {when} than the encoder"
+
+
+def remedy(late: float) -> str:
+    """The command that estimates by how much a gyro is so late."""
+    if abs(late) < FILTERED:
+        return "'exoid fit --with sensor_skew'"
+    return (
+        "'exoid fit --with butterworth_filter' (or first_order_filter, or for a mere delay "
+        "sensor_skew)"
+    )
 
 
 def late_gyro(movements: Sequence[Movement]) -> float | None:

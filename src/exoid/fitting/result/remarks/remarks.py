@@ -9,12 +9,21 @@ from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.multistart.search_result import FEASIBLE, SearchResult, scale_told
 from exoid.fitting.result.remarks.anatomy_remarks import of_anatomy
-from exoid.fitting.result.remarks.gyro_remarks import of_late_gyro, of_unused_gyro
+from exoid.fitting.result.remarks.gyro_remarks import (
+    late_gyro,
+    lateness,
+    of_late_gyro,
+    of_unused_gyro,
+    remedy,
+)
 from exoid.fitting.result.remarks.noise_remarks import noise_remarks
 from exoid.fitting.result.remarks.stopped_remarks import of_stopped
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
+from exoid.physics.sensing.butterworth_filter import ButterworthFilter
+from exoid.physics.sensing.first_order_filter import FirstOrderFilter
+from exoid.physics.sensing.sensor_skew import SensorSkew
 from exoid.physics.term import name_of
 
 UPWARDS = (
@@ -32,6 +41,7 @@ RULES = {
     "m l^2 <= J": "that J of a rigid leg is at least m l^2",
     REACH: "that J / (m l) of a leg is no longer than the leg from knee to toe",
 }
+LATE = (SensorSkew, FirstOrderFilter, ButterworthFilter)  # terms of a sensor that comes late
 SLIGHT = 1e-3  # of m l g, below which an unknown torque changes no number that anybody reads
 ASK_DIAGNOSE = "; 'exoid diagnose' asks what the model lacks"
 INCOMPLETE = "no error bar of a model that misses something is complete"
@@ -63,7 +73,8 @@ def remarks(
     unit = np.mean([each.residual_unit / each.angle_noise for each in problem.movements])
     within = float(ended.best.misfit[0]) * unit**2 < problem.samples.sum()
     sensors = ended.disturbance.cause == "encoder"
-    late = of_late_gyro(problem.movements) if sensors else []
+    asked = follows and sensors and not models_lateness(problem)  # else it is said first
+    late = of_late_gyro(problem.movements) if asked else []
     if not late and not (within and sensors):  # smoothed errors, which are told
         said += of_residual(ended.disturbance, gravity, inertia, float(unit))
     said += late
@@ -162,18 +173,27 @@ def upside_down(problem: Problem, ended: SearchResult) -> bool:
     return problem.belief.rig and not all_driven(problem.movements) and gravity < 0
 
 
-def of_astray(why: str | None, belief: Belief, several: bool) -> list[str]:
+def of_astray(why: str | None, problem: Problem) -> list[str]:
     """That the simulation does not follow the recording, and what to do."""
     if why is None:
         return []
+    belief, several = problem.belief, len(problem.recordings) > 1
+    late = None if models_lateness(problem) else late_gyro(problem.movements)
+    first = "" if late is None else f"{lateness(late)}, and {remedy(late)} estimates that; else "
     masses = ", and what mass was on the leg in each" if several else ""
     named = ", ".join(belief.by_hand.names)
     yours = f", and what you said of {named}" if named else ""
     weighed = "; without --misfit paper every sample is weighed by its noise" if belief.raw else ""
     return [
-        f"the simulation does not follow the recording: {why}. Do not use these numbers: check "
-        f"units, signs, zero and marks of the recording{masses}{yours}{ASK_DIAGNOSE}{weighed}."
+        f"the simulation does not follow the recording: {why}. Do not use these numbers: {first}"
+        f"check units, signs, zero and marks of the recording{masses}{yours}{ASK_DIAGNOSE}"
+        f"{weighed}."
     ]
+
+
+def models_lateness(problem: Problem) -> bool:
+    """Has the model a term for a sensor that comes late?"""
+    return any(each in LATE for each in problem.terms)
 
 
 def of_kinds(found: Disturbance) -> list[str]:
