@@ -24,6 +24,7 @@ from exoid.recordings.motion.thresholds import (
     ODDS,
     REST,
     SINCE,
+    SOUND,
     SWAY,
     SWAYING,
     TRAVEL,
@@ -129,8 +130,7 @@ def released(
     if found is None or both.velocity is None or found.misfit < CONTRARY:
         return found
     alone = looked_into(replace(both, velocity=None), speed, first, room)
-    contrary = alone is not None and found.misfit > CONTRARY * max(1.0, alone.misfit)
-    return alone if contrary else found
+    return found if alone is None or alone.misfit > SOUND else alone
 
 
 @remembered  # by far the most of the search, and the same of every drop whoever asks

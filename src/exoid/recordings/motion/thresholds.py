@@ -28,9 +28,10 @@ WILFUL = (0.6, 0.5, 0.3)  # the same of a voluntary movement: its torque grows w
 SHAPE = 0.0015  # s by which hands that let go in other ways move the release
 GONE = 0.99  # probability with which the hand is off the leg at the first free sample
 MARGIN = 0.01  # s that are left to what no model of a hand and a leg has
-# Chi-square a sample of both sensors, and times that of the angle alone, from which on the gyro
-# shows the release at another time: behind a filter that takes 3 ms or more.
-CONTRARY = 10.0
+# Chi-square a sample of both sensors, and the most of the angle alone, where the gyro shows the
+# release at another time: behind a filter that takes 6 ms or more. What a leg does besides falling,
+# a gyro sees better than an encoder, and neither fits.
+CONTRARY, SOUND = 50.0, 2.0
 TAIL = 0.4  # of the time of letting go that a hand may take longer than its ramp
 
 # A recording that begins free. A leg whose hold is shorter than this was marked at its release:
