@@ -1,5 +1,7 @@
 """A hand that sways as it keeps a leg lets go when it lets go, not when it sways."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
@@ -22,6 +24,33 @@ def kept(at: float, sway: float, phase: float) -> np.ndarray:
     """Angle and speed of a leg in a hand that sways: (channel, sample)."""
     turned = TURN * np.arange(0.0, HOLD, STEP) + phase
     return np.stack([at + sway * np.sin(turned), sway * TURN * np.cos(turned)])
+
+
+def unsteady(turn: float, sway: float, seed: int) -> tuple[Segment, float]:
+    """A drop out of a hand that sways at two frequencies [rad/s, rad], and when it was let go [s].
+
+    The leg goes on as the hand moved it: at its speed, without what the hand did against gravity.
+    """
+    rng = np.random.default_rng(seed)
+    phases, time = rng.uniform(0, 2 * np.pi, (2, 1)), np.arange(0.0, HOLD + FREE, STEP)
+    turns, sizes = turn * np.array([[1.0], [2.3]]), sway / 1.5 * np.array([[1.0], [0.5]])
+    until = time[time <= HOLD]
+    hold = np.stack(
+        [
+            (sizes * np.sin(turns * until + phases)).sum(0) + rng.uniform(-0.7, -0.2),
+            (sizes * turns * np.cos(turns * until + phases)).sum(0),
+        ]
+    )
+    free = solve_ivp(
+        lambda _, y: (y[1], ADULT.pull(*y)),
+        (until[-1], time[-1]),
+        hold[:, -1],
+        t_eval=time[time > HOLD],
+        rtol=1e-8,
+    )
+    leg = np.concatenate([hold, free.y], axis=1)
+    angle, speed = leg + np.array([NOISE]).T * rng.normal(size=leg.shape)
+    return Segment(time, raw_angle=angle, raw_angular_velocity=speed), until[-1]
 
 
 def session(sway: float, seed: int) -> tuple[Recording, list[float]]:
@@ -59,6 +88,37 @@ def test_a_drop_begins_where_a_hand_that_sways_lets_go(sway, seed):
         assert segment.begins + begun == pytest.approx(release, abs=3 * error + 3e-3)
         free = segment.begins + segment.time[drops[number].free]
         assert release <= free < release + 0.2
+
+
+@pytest.mark.parametrize("gyro", [True, False])
+@pytest.mark.parametrize("hertz", [0.9, 1.2, 1.8])
+@pytest.mark.parametrize("seed", range(5))
+def test_a_hand_that_sways_as_fast_as_a_small_swing_has_not_let_go(gyro, hertz, seed):
+    """At up to 20 deg/s; its acceleration, up to a third of a fall's, moves the release by less
+    than half of the 50 ms in which the leg falls by a degree.
+    """
+    segment, release = unsteady(2 * np.pi * hertz, np.radians(1.5), seed)
+    if not gyro:
+        segment = replace(segment, raw_angular_velocity=None)
+    recording = Recording((segment,), Subject(kind="leg"), Protocol(kind="passive"), Sensors())
+    extent = find_drops(recording)[0]
+    assert extent.held_until is not None
+    assert extent.release == pytest.approx(release, abs=0.025)
+    assert segment.time[extent.free] >= release
+    assert extent.ended == "recording stopped"
+
+
+@pytest.mark.parametrize("first", [0.0, 0.05, 0.1])
+def test_a_free_leg_that_turns_around_at_the_begin_of_a_record_is_not_in_a_hand(first):
+    """It rises by up to 4 deg and falls, as evenly as a leg out of a hand does not."""
+    time = np.arange(0.0, FREE, STEP)
+    free = solve_ivp(
+        lambda _, y: (y[1], ADULT.pull(*y)), (0.0, FREE), [-0.5, 20 * first], t_eval=time, rtol=1e-8
+    )
+    angle, speed = free.y + np.array([NOISE]).T * np.random.default_rng(1).normal(size=free.y.shape)
+    segment = Segment(time, raw_angle=angle, raw_angular_velocity=speed)
+    recording = Recording((segment,), Subject(kind="leg"), Protocol(kind="passive"), Sensors())
+    assert find_drops(recording)[0].held_until is None
 
 
 @pytest.mark.parametrize("sway", [0.3, 1.5, 2.5])

@@ -10,7 +10,7 @@ from exoid.recordings.motion.free_end import free_end
 from exoid.recordings.motion.letting_go import LettingGo, ReleaseWindow, begun_free, let_go
 from exoid.recordings.motion.own_reversal import swung_freely
 from exoid.recordings.motion.signal import Signal, Speed, smoothed, speed_of
-from exoid.recordings.motion.swings import swung
+from exoid.recordings.motion.swings import before_fall, great_swing, slowed, swung
 from exoid.recordings.motion.thresholds import (
     BLOCK,
     CLEAR,
@@ -26,6 +26,7 @@ from exoid.recordings.motion.thresholds import (
     SINCE,
     SOUND,
     SWAY,
+    SWAYED,
     SWAYING,
     TRAVEL,
 )
@@ -44,7 +45,8 @@ def find_free(
     """
     speed = speed_of(signal)
     first, _ = first_movement(signal, speed)
-    found = released(signal, speed, fallen_since(signal, speed, first))
+    fell, swayed = fallen_since(signal, speed, first)
+    found = released(signal, speed, fell, swayed=swayed)
     gone = 0 if found is None else int(np.searchsorted(signal.time, found.gone))
     held = None if found is None or found.release - signal.time[0] < shortest else found
     start, free = (0, 0) if held is None else (nearest(signal.time, held.release), gone)
@@ -93,8 +95,24 @@ def departure(smooth: Samples, speed: Speed, first: int, least: float) -> int:
     return first + int(back[-1]) + 1 if back.size else first
 
 
-def fallen_since(signal: Signal, speed: Speed, first: int) -> int:
-    """The sample about which it fell: of a leg that a hand's sway moved from `first` on, later."""
+def fallen_since(signal: Signal, speed: Speed, first: int) -> tuple[int, bool]:
+    """The sample about which it fell: of a leg that a hand's sway moved from `first` on, later.
+
+    And whether a hand moved it, and slower again, before.
+    """
+    begin, end = great_swing(signal, speed)
+    falls = speed.velocity[begin : end + 1].mean() < 0  # a leg that a hand lifts does not
+    about = before_fall(signal.time, -speed.velocity, begin, end) if falls else None
+    if about is not None and end > first:
+        at = int(np.searchsorted(signal.time, about))
+        since = int(np.searchsorted(signal.time, about - SWAYED))
+        if slowed(speed, slice(since, max(begin, at))):
+            return at, True
+    return fallen_after(signal, speed, first), False
+
+
+def fallen_after(signal: Signal, speed: Speed, first: int) -> int:
+    """The same of a leg that a hand moved one way from `first` on."""
     smooth, _ = smoothed(signal, speed.width)
     gone = np.abs(smooth[first:] - smooth[first]) > SWAY
     if not gone.any():
@@ -121,21 +139,21 @@ def moving(time: Samples, speed: Speed) -> list[tuple[int, int]]:
 
 
 def released(
-    signal: Signal, speed: Speed, first: int, room: tuple[float, ...] = ODD
+    signal: Signal, speed: Speed, first: int, room: tuple[float, ...] = ODD, *, swayed: bool = False
 ) -> LettingGo | None:
     """How the leg that first moves at `first` was let go; None where it begins in motion."""
     both = signal.samples
     speed = speed if both is signal else speed_of(both)
-    found = looked_into(both, speed, first, room)
+    found = looked_into(both, speed, first, room, swayed)
     if found is None or both.velocity is None or found.misfit < CONTRARY:
         return found
-    alone = looked_into(replace(both, velocity=None), speed, first, room)
+    alone = looked_into(replace(both, velocity=None), speed, first, room, swayed)
     return found if alone is None or alone.misfit > SOUND else alone
 
 
 @remembered  # by far the most of the search, and the same of every drop whoever asks
 def looked_into(
-    signal: Signal, speed: Speed, first: int, room: tuple[float, ...]
+    signal: Signal, speed: Speed, first: int, room: tuple[float, ...], swayed: bool
 ) -> LettingGo | None:
     time = signal.time
     # Within half a window from the first sample nobody sees whether it moves.
@@ -144,11 +162,12 @@ def looked_into(
     early = HOLD + speed.width
     last = min(int(np.searchsorted(time, about + FALL)), time.size - 1)
     pull = abs(float(speed.velocity[last])) / FALL
-    sway = swaying(signal, speed, about - early)
-    held, late = (0.0, HOLD) if sway else (HELD, speed.width / 2)
+    sway = 0.0 if swayed else swaying(signal, speed, about - early)
+    held, late = (0.0, HOLD) if swayed or sway else (HELD, speed.width / 2)
+    sooner = HOLD / 2 if swayed else early  # one acceleration of a hand looks like another's begin
     inside = (time >= about - early - held) & (time <= about + FALL)
-    case = ReleaseWindow(beside(signal.part(inside), sway).averaged(BLOCK), pull, room)
-    found = let_go(case, max(about - early, float(time[0])), about + late)
+    case = ReleaseWindow(beside(signal.part(inside), sway).averaged(BLOCK), pull, room, swayed)
+    found = let_go(case, max(about - sooner, float(time[0])), about + late)
     if not seen and begun_free(case) < found.chi_square + ODDS * max(1.0, found.misfit):
         return None
     return found

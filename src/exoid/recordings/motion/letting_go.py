@@ -4,7 +4,9 @@ Held at phi_s until t0; over w seconds the hand's torque fades evenly; then the 
 
     phi = phi_s + a y(t - t0, w) + b x^3 + c x^4 + e x^5,   x = t - t0 - w / 2 > 0
 
-with y of `fall` for one of a few legs, and small b, c, e for what this leg does otherwise.
+with y of `fall` for one of a few legs, and small b, c, e for what this leg does otherwise. Where
+the hand swayed, beside a speed and an acceleration from before that go on: what begins at t0 is the
+difference.
 """
 
 from dataclasses import dataclass, replace
@@ -12,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.motion.fall import Rows, Swing, Swings, rows_of
+from exoid.recordings.motion.fall import BELIEVED, Rows, Swing, Swings, rows_of
 from exoid.recordings.motion.signal import Signal
 from exoid.recordings.motion.thresholds import (
     COARSE,
@@ -30,6 +32,7 @@ from exoid.recordings.motion.thresholds import (
 from exoid.recordings.samples import Samples
 
 POWERS = (3, 4, 5)
+SWAY = (1, 2)
 
 Table = NDArray[np.float64]
 
@@ -53,6 +56,7 @@ class ReleaseWindow:
     signal: Signal
     pull: float  # rad/s^2, about the first acceleration
     room: tuple[float, ...] = ODD  # rad, of b, c, e
+    swayed: bool = False  # by the hand, which moves the leg until it lets go
     legs: Swings = tuple(Swing(*each) for each in LEGS)
 
 
@@ -82,11 +86,14 @@ def wobble(tried: Samples, widths: Samples, square: Table, scale: float) -> floa
 
 def table_of(case: ReleaseWindow, legs: Swings, tried: Samples, widths: Samples) -> Table:
     """Chi-square of every leg, duration and instant, all amplitudes at their best."""
-    rows = rows_of(case.signal, float(tried.min()))
+    rows = rows_of(case.signal, float(case.signal.time[0] if case.swayed else tried.min()))
     since = rows.time - tried[:, None]
     fall = rows.fallen(since, widths, legs)
     middle = (since - widths[:, None, None] / 2).reshape(-1, rows.time.size)
-    left = rows.left(powers_of(case, rows, np.maximum(middle, 0) / FALL), fall)
+    columns = powers_of(case, rows, np.maximum(middle, 0) / FALL)
+    if case.swayed:
+        columns = np.concatenate([columns, in_hand(rows, columns.shape[0])], axis=1)
+    left = rows.left(columns, fall)
     return left.reshape(widths.size, tried.size, len(legs)).transpose(2, 0, 1)
 
 
@@ -132,9 +139,20 @@ def powers_of(case: ReleaseWindow, rows: Rows, x: Table) -> Table:
     return found
 
 
+def in_hand(rows: Rows, count: int) -> Table:
+    """A speed and an acceleration that a hand gave the leg, in every row (`count`, power, row)."""
+    x = (rows.time - rows.time[BELIEVED]) / FALL
+    x[:BELIEVED] = 0.0
+    angle, velocity = x[: rows.velocity], x[rows.velocity :]
+    each = [np.concatenate([power_of(angle, n, 0), power_of(velocity, n, 1)]) for n in SWAY]
+    found = np.stack(each) * rows.scale
+    found[:, :BELIEVED] = 0.0
+    return np.broadcast_to(found, (count, *found.shape))
+
+
 def power_of(x: Table, power: int, order: int) -> Table:
     """x^power, or its derivative by time; by products, which take a tenth of a power's time."""
-    found = x
+    found = x if power > order else np.ones_like(x)
     for _ in range(power - 1 - order):
         found = found * x
     return power / FALL * found if order else found

@@ -1,4 +1,4 @@
-"""The swings of a leg that was let go: its turning points, and the rest that ends them."""
+"""The swings of a leg that was let go: its fall, its turning points, the rest that ends them."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -6,9 +6,21 @@ from functools import cached_property
 import numpy as np
 
 from exoid.recordings.motion.signal import Signal, Speed, smoothed
-from exoid.recordings.motion.thresholds import BEYOND, CLEAR, REST, ROCKING, SHARE, SHORT, TRAVEL
+from exoid.recordings.motion.thresholds import (
+    BEYOND,
+    CHANGE,
+    CLEAR,
+    GREAT,
+    GROWN,
+    REST,
+    ROCKING,
+    SHARE,
+    SHORT,
+    TRAVEL,
+    TURNED,
+)
 from exoid.recordings.remembered import remembered
-from exoid.recordings.samples import quantile
+from exoid.recordings.samples import Samples, quantile
 from exoid.recordings.signal.condition import reversals, runs
 
 Rest = tuple[int, int]  # its first sample, and one past its last
@@ -60,6 +72,44 @@ def swings_of(speed: Speed, signal: Signal, bounds: Bounds) -> Swings:
     if begin == 0 and abs(speed.velocity[0]) > speed.still and turns:
         at, angle = at[1:], angle[1:]  # it began within a swing
     return Swings(at, angle, bounds)
+
+
+def great_swing(signal: Signal, speed: Speed) -> tuple[int, int]:
+    """Where the first swing begins and ends that is a great share of the greatest."""
+    smooth, noise = smoothed(signal, speed.width)
+    least = max(CLEAR * noise, CHANGE)
+    turns = np.array([0, *reversals(smooth, least), smooth.size - 1])
+    sizes = np.abs(np.diff(smooth[turns]))
+    place = int(np.argmax(sizes > GREAT * sizes.max()))
+    return int(turns[place]), int(turns[place + 1])
+
+
+def before_fall(time: Samples, ahead: Samples, begin: int, end: int) -> float | None:
+    """When a speed `ahead` that grows evenly to the greatest of a swing was none [s].
+
+    None where it grew like that from the first sample on: a free leg turns around so.
+    """
+    top = begin + int(np.argmax(ahead[begin : end + 1]))
+    greatest = float(ahead[top])
+    low, high = (reached(time[: top + 1], ahead[: top + 1], share * greatest) for share in GROWN)
+    if low == high:
+        return None
+    growth = (GROWN[1] - GROWN[0]) * greatest / (high - low)
+    about = low - GROWN[0] * greatest / growth
+    return about if abs(ahead[0]) < TURNED * growth * (about - time[0]) else None
+
+
+def slowed(speed: Speed, within: slice) -> bool:
+    """Did it move, and slower again? Of a hand that lets go slowly the leg moves ever faster."""
+    moves = np.abs(speed.velocity[within])
+    return bool((np.maximum.accumulate(moves) - moves).max(initial=0.0) > speed.still)
+
+
+def reached(time: Samples, ahead: Samples, least: float) -> float:
+    """When a speed last rose beyond the `least` [s]."""
+    below = np.flatnonzero(ahead < least)
+    last = int(below[-1]) if below.size else 0
+    return float(np.interp(least, ahead[last : last + 2], time[last : last + 2]))
 
 
 def rest_after(signal: Signal, speed: Speed, begin: int) -> Rest | None:

@@ -12,6 +12,11 @@ SWAY = np.radians(6.0)  # rad, from turn to turn: the farthest that a hand sways
 SWAYING = 4.0 * SWAY / 2  # rad/s, and how fast: at 4 rad/s, as slowly as a leg swings
 SINCE = 1.5  # times that way over the speed after it, before which a leg fell: 2 of a fall from
 # rest, 3 where the hand lets go ever more, less out of a sway
+GREAT = 0.25  # of the greatest swing, above which one is a fall: what a hand keeps sways less
+SWAYED = 1.0  # s in front of a fall in which a hand is looked at: half a turn at 0.5 Hz
+CHANGE = np.radians(0.5)  # rad, from turn to turn, above which a hand has turned around
+GROWN = (0.3, 0.6)  # of the greatest speed of a fall, between which it grows evenly enough
+TURNED = 0.5  # of that growth, more than which no hand has as long as it keeps a leg
 
 # Letting go. A hand takes 20 to 100 ms; the leg then falls freely.
 WINDOWS = np.linspace(0.0, 0.12, 9)  # s, tried durations of letting go
