@@ -1,14 +1,18 @@
 """The pendulum-test measures of simulated legs, whose gravity is not linear."""
 
+from dataclasses import replace
+
 import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from exoid.pendulum.definitions import logarithmic_decrement
 from exoid.pendulum.drops import measure_drops
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
 from exoid.physics.torque import NoTorque
+from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 
@@ -58,3 +62,12 @@ def test_the_sensors_change_no_measure_by_more_than_their_noise(drops):
         assert each.value is not None, each.reason
         room = LIKELY * each.standard_error + 1e-3 * abs(true[name].value)  # of the exact one's own
         assert abs(each.value - true[name].value) < room, name
+
+
+def test_of_a_turn_that_is_no_swing_no_decrement_is_told(drops):
+    """A hand that carries a leg leaves turns behind that noise puts on either side."""
+    landmarks = drops[1].drops[1].landmarks
+    flexion, extension, *later = landmarks.turns
+    level = replace(landmarks, turns=[flexion, replace(extension, value=later[0].value), *later])
+    with pytest.raises(NotAllowed, match="no swing to flexion: cycle 1 or the one after"):
+        logarithmic_decrement(level, 1)

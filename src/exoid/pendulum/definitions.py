@@ -118,6 +118,8 @@ def logarithmic_decrement(drop: Landmarks, number: int) -> DropReading:
     """D_n = log(F_n / F_(n+1)), F_n = phi_extension(n-1) - phi_flexion(n)."""
     ends = [(drop.extension(each - 1), drop.flexion(each)) for each in (number, number + 1)]
     swings = [high.value - low.value for high, low in ends]
+    if min(swings) <= 0:
+        raise NotAllowed(f"no swing to flexion: cycle {number} or the one after does not go down")
     parts = [
         hypot(high.error, low.error) / swing
         for (high, low), swing in zip(ends, swings, strict=True)
