@@ -145,13 +145,13 @@ def test_a_mass_at_another_distance_is_told_by_its_distance(gyration):
     assert acts == pytest.approx(0.4, abs=0.02)  # the tape's 5 mm pull it
 
 
-def swings(inertia: float, weight: float) -> tuple[np.ndarray, np.ndarray]:
+def swings(inertia: float, weight: float, knee: float = 1.0) -> tuple[np.ndarray, np.ndarray]:
     """A leg let go at -20 deg that weighs m l g about its knee, by SciPy: time and angle."""
     time = np.arange(0.0, 4.0, 0.01)
 
     def slope(_: float, state: np.ndarray) -> list[float]:
         angle, velocity = state
-        torque = -weight * np.cos(angle) - 1.6 * angle - 0.25 * velocity
+        torque = -weight * np.cos(angle) - knee * (1.6 * angle + 0.25 * velocity)
         return [velocity, torque / inertia]
 
     start = [np.radians(-20.0), 0.0]
@@ -194,3 +194,35 @@ def test_a_mass_where_it_is_said_to_hang_is_believed(gyration, off):
     assert inertia.value is not None
     assert inertia.standard_error is not None
     assert abs(inertia.value - 0.41) < 3.3 * inertia.standard_error
+
+
+STUMP = 0.017, 1.285  # kg m^2, N m: below the knee of an amputee who weighs as BODY does
+
+
+def stump(load: float) -> Recording:
+    """A drop of it without and, where there is any, one with a `load` [kg] 0.1 m below the knee."""
+    rng, loads = np.random.default_rng(5), (0.0, load) if load else (0.0,)
+    segments = []
+    for each in loads:
+        inertia = STUMP[0] + each * (0.1**2 + 0.02**2)
+        time, angle = swings(inertia, STUMP[1] + each * GRAVITY * 0.1, knee=0.1)
+        noisy = angle + rng.normal(0.0, 1.7e-3, time.size)
+        segments.append(Segment(time, raw_angle=noisy))
+    subject = replace(BODY, added_mass=loads, added_mass_distance=0.1, added_mass_gyration=0.02)
+    return Recording(tuple(segments), subject, Protocol(kind="passive"))
+
+
+def test_of_a_leg_that_anatomy_does_not_know_motion_tells_the_ratios_and_no_table_the_rest():
+    found = fit(stump(0.0), multistart=4)
+    assert found.follows
+    assert {each.value for each in found.of_leg.values()} == {None}
+    assert "as the tables of anatomy have it" in str(found.parameters["inertia"].reason)
+    ratio = found.ratios["gravity_over_inertia"]
+    assert abs(ratio.value - STUMP[1] / STUMP[0]) < 3 * ratio.standard_error
+
+
+def test_what_a_known_mass_tells_of_it_stays():
+    bound = {"inertia": (0.0, 1.0), "com_distance": (0.02, 0.5), "mass": (0.1, 10.0)}
+    found = fit(stump(0.5), multistart=4, prior="none", bounds="paper", bound=bound)
+    inertia = found.parameters["inertia"]
+    assert abs(inertia.value - STUMP[0]) < 3 * inertia.standard_error

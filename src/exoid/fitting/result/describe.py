@@ -54,7 +54,7 @@ from exoid.fitting.result.remarks.slack_angle import (
     slack_angle_remarks,
 )
 from exoid.fitting.result.remarks.zero_remarks import of_far_zeros
-from exoid.fitting.result.untold import without_lost, without_scale
+from exoid.fitting.result.untold import doubted_scale, without_lost, without_scale
 from exoid.fitting.solve.ask import around, finite, take
 from exoid.fitting.solve.problem import Problem
 from exoid.recordings.conventions.jumps import jumping
@@ -121,8 +121,9 @@ def describe(
         basis=basis,
     )
     told = without_lost(result)
-    if misplaced(problem, ended):
-        told = without_scale(told)
+    doubt = doubted_scale(told, problem, misplaced(problem, ended))
+    if doubt is not None:
+        told = without_scale(told, doubt)
     errors = [told.ratios[each].standard_error or 0.0 for each in LEANING]
     slack = left_open(problem, ended, errors) if told.follows else None
     said = notes(told, basis, at_bound, slack)

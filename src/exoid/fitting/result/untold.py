@@ -1,5 +1,6 @@
-"""What nothing tells any more where a kind of segment is not followed."""
+"""What nothing tells where a kind of segment is not followed, or what weighs the leg is off."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from exoid.fitting.misfit.uncertainty import HELD
@@ -7,11 +8,14 @@ from exoid.fitting.result.agreement import lost, unbelieved
 from exoid.fitting.result.estimates import without_value
 from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
 from exoid.fitting.result.limiting_systematics import chief
+from exoid.fitting.result.remarks.anatomy_remarks import unlike_anatomy
+from exoid.fitting.solve.problem import Problem
 
 TORQUE = "torque_over_inertia"
 MISPLACED = (
     "the distance of the added mass, by which the leg is weighed, does not agree with how it moves"
 )
+UNLIKE = "no leg of this body, as the tables of anatomy have it, moves like this"
 GOES = ("over", "times")  # J: what motion alone tells of a parameter that goes with it
 
 
@@ -50,17 +54,29 @@ def without_lost(result: FitResult) -> FitResult:
     )
 
 
-def without_scale(result: FitResult) -> FitResult:
-    """The same without what goes with the distance of an added mass, where that is in doubt and
-    limits J: all but the ratios to J.
+def doubted_scale(result: FitResult, problem: Problem, misplaced: Sequence[int]) -> str | None:
+    """Why J, by which all but the ratios to it go, is none to be given; None where it is one.
+
+    Where the distance of an added mass limits it, and is in doubt; where it leans on the anatomy of
+    a body that the motion speaks against.
     """
-    most = chief(result.parameters["inertia"])
-    if most is None or not most[0].startswith("added_mass"):
-        return result
+    inertia, gravity = result.parameters["inertia"], result.ratios["gravity_over_inertia"]
+    most = chief(inertia)
+    if misplaced and most is not None and most[0].startswith("added_mass"):
+        return MISPLACED
+    if not result.follows or inertia.determined_by == "data" or gravity.value is None:
+        return None
+    error = gravity.standard_error or 0.0
+    return UNLIKE if unlike_anatomy(problem.belief, gravity.value, error) else None
+
+
+def without_scale(result: FitResult, why: str) -> FitResult:
+    """The same without what goes with J: all but the ratios to it."""
 
     def kept(each: Estimate) -> Estimate:
-        known = each.by_hand == "fix" or each.shares in (None, HELD)
-        return each if known else without_value(each, MISPLACED)
+        nothing = each.shares == HELD and not each.value  # whatever J is
+        known = each.by_hand == "fix" or each.shares is None or nothing
+        return each if known else without_value(each, why)
 
     def of_term(own: dict[str, Estimate]) -> dict[str, Estimate]:
         scaled = {name for name in own if {f"{name}_{goes}_inertia" for goes in GOES} & own.keys()}

@@ -14,7 +14,8 @@ def of_anatomy(belief: Belief, gravity: float) -> list[str]:
     return [
         f"{each}. Check body mass, height and age, the encoder's zero, the times "
         f"({at_rate(belief, gravity)} would explain it), and that every mass on the leg is "
-        "declared. m, J, l, d and c lean on anatomy; --prior none shows what the motion tells."
+        "declared. m, J, l, d and c lean on anatomy, and are worth nothing where it is not this "
+        "leg's; what the motion tells, the ratios to J, holds."
         for each in unlike_anatomy(belief, gravity)
     ]
 
