@@ -55,6 +55,18 @@ def test_a_continuous_table_is_cut_into_its_drops_and_says_what_it_left_out(rate
     assert "shaking from 2" in note
 
 
+@pytest.mark.parametrize("first", range(0, 53, 4))
+def test_a_logger_that_shows_nothing_now_and_then_as_zero_loses_no_drop(first):
+    """Wherever such a sample falls, on an end of a drop, too; level is where the second begins."""
+    log = continuous(100, 1e-3)
+    (whole,) = log.segments
+    angle = whole.raw_angle.copy()
+    angle[first::53] = 0.5
+    found = cut_table(replace(log, segments=(replace(whole, raw_angle=angle),)))
+    assert found.recording.protocol.kind == ("passive", "passive")
+    assert found.notes == cut_table(log).notes
+
+
 def test_of_hundreds_of_lifts_the_first_are_named_and_the_rest_counted():
     log = Segment(np.arange(4000) * 0.1, raw_angle=np.zeros(4000))
     lifts = [Piece(10 * each, 10 * each + 5, None, "a lift") for each in range(300)]

@@ -8,12 +8,15 @@ from numpy.typing import NDArray
 from exoid.recordings.recording import Kind, Segment
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.local_line import Signal, interpolated, local_line
+from exoid.recordings.signal.spikes import spikes_of
 from exoid.recordings.signal.turns import bends
 
 MOTION_SPEED = np.radians(20.0)  # rad/s, the paper's criterion of significant motion
 SMOOTHING = 0.05  # s, of the velocity that decides what moves; half a leg's swing takes 0.5 s
 FREE, SHRUNK = 3, 0.8  # swings that no muscle makes, and to what share they shrink in all
 RINGING = 0.1  # of its travel: the least that a swing goes
+ENDS = 3  # samples, of which one may be wild
+ANGLES = ("angle", "raw_angle")
 NEAR = 0.35  # of the range of a movement; a drop ends at 0.5 (no damping) to 1 of it, lower
 
 
@@ -108,11 +111,13 @@ def classify(segment: Segment) -> Kind | None:
     """Swung out, whatever lifts the leg after that, or ended lower: a passive drop; back at its
     start: a voluntary cycle; a lift or still: None.
     """
-    measured = segment.best_angle if segment.angle is None else segment.angle
-    angle = interpolated(segment.time, measured)
+    channel = next(each for each in ANGLES if getattr(segment, each) is not None)
+    wild = spikes_of(segment, channel, 0.0)
+    angle = interpolated(segment.time, np.where(wild, np.nan, getattr(segment, channel)))
     if np.ptp(angle) == 0:
         return None
-    rise = (angle[-1] - angle[0]) / np.ptp(angle)
+    begin, end = (float(np.median(each)) for each in (angle[:ENDS], angle[-ENDS:]))
+    rise = (end - begin) / np.ptp(angle)
     if rise <= -NEAR or swings_out(segment.time, angle):
         return "passive"
     return "active" if rise < NEAR else None
