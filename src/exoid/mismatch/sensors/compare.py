@@ -131,7 +131,7 @@ def moved(time: Samples, rows: np.ndarray, skew: float) -> tuple[np.ndarray, np.
     inside = (place >= 0) & (place < rows.size)
     source, row = rows[inside], rows[place[inside]]
     shown = time[source] - skew
-    near = np.abs(shown - time[row]) <= abs(skew)  # not over a hole
+    near = (row == source) | (np.abs(shown - time[row]) < abs(skew))  # not over a hole
     kept = near & (shown >= time[0]) & (shown <= time[-1])
     return source[kept], row[kept]
 
