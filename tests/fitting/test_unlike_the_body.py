@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from exoid.fitting.errors.profile import profiles
 from exoid.fitting.estimate import fit
 from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.model.prior_and_limits import believe
@@ -219,6 +220,7 @@ def test_of_a_leg_that_anatomy_does_not_know_motion_tells_the_ratios_and_no_tabl
     assert "as the tables of anatomy have it" in str(found.parameters["inertia"].reason)
     ratio = found.ratios["gravity_over_inertia"]
     assert abs(ratio.value - STUMP[1] / STUMP[0]) < 3 * ratio.standard_error
+    assert profiles(found) == {}  # they would hold the tables' leg against this one
 
 
 def test_what_a_known_mass_tells_of_it_stays():

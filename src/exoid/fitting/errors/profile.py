@@ -18,6 +18,7 @@ from exoid.fitting.misfit.uncertainty import decomposed, spread
 from exoid.fitting.model.coordinates import Coordinates, flattened, scaled, unflattened, unscaled
 from exoid.fitting.multistart.search_result import FEASIBLE, LIMITED
 from exoid.fitting.result.fit_result import Basis, Estimate, FitResult
+from exoid.fitting.result.untold import UNLIKE
 from exoid.fitting.solve.ask import advance, around, task
 from exoid.fitting.solve.program_values import StartRequest
 
@@ -74,7 +75,8 @@ class ProfiledQuantity:
 def profiles(result: FitResult) -> dict[str, Profile]:
     """The profile of every parameter and ratio, all points as starts of one search.
 
-    One of which hardly a point can be reached within the limits has no profile, and is left out.
+    One of which hardly a point can be reached within the limits has no profile, and is left out; so
+    is every one where motion and anatomy contradict each other, for the loss holds both.
 
     **Raises** `ValueError` for a result that has no one fit to profile (`fit_each`).
 
@@ -85,6 +87,8 @@ def profiles(result: FitResult) -> dict[str, Profile]:
     basis = result.basis
     if basis is None:
         raise ValueError("every segment was fitted alone: there is no one fit to profile.")
+    if result.parameters["inertia"].reason == UNLIKE:
+        return {}
     limits = limits_of(result.parameters)
     quests = [
         quest
