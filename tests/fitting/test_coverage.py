@@ -14,10 +14,12 @@ from exoid.fitting.model.systematics import (
     GYRO_BIAS,
     GYRO_SCALE,
     PLACED,
+    SLANT,
     TILT,
     WEIGHED,
     ZERO,
 )
+from exoid.fitting.multistart.gross_errors import FOOT
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.state import LegState
@@ -29,6 +31,7 @@ pytestmark = pytest.mark.proof
 
 LEGS = 200
 COVERED = (0.91, 0.98)  # of 200 legs; their share scatters by 1.5 % about 95 %
+UNTOLD = 0.05  # of all, whose added mass is drawn so odd that J is not told
 INTERVAL = 1.96  # standard errors
 PERIOD = 1.3  # s
 TIME = np.arange(240) * 0.01
@@ -78,7 +81,8 @@ def with_body(leg, mass, distance, extent):
 def person(rng, missed):
     """A leg, its recording, and the truth of everything that this recording can tell.
 
-    Sensors, seat and mass are as little known as nothing declared of them says; the clock is exact.
+    Sensors, seat, foot and mass are as little known as nothing declared of them says; the clock is
+    exact.
     """
     inertia = rng.uniform(0.32, 0.52)
     gravity, stiffness, damping = rng.uniform((25.0, 4.5, 0.5), (27.5, 7.5, 1.1))
@@ -86,7 +90,8 @@ def person(rng, missed):
     values = (mass, inertia, gravity * inertia / mass / GRAVITY)
     leg = LegParameters(*map(jnp.asarray, (*values, damping * inertia, stiffness * inertia)))
     segments = []
-    zero, tilt, scale, bias = rng.normal(size=4) * (ZERO, TILT, GYRO_SCALE, GYRO_BIAS)
+    zero, scale, bias = rng.normal(size=3) * (ZERO, GYRO_SCALE, GYRO_BIAS)
+    tilt = rng.normal() * (SLANT if rng.random() < FOOT else TILT)
     weighed, place = rng.normal(size=2) * (WEIGHED, PLACED)
     extent = (GYRATION * rng.normal()) ** 2
     for angle, load, voluntary in SEGMENTS:
@@ -128,25 +133,30 @@ def person(rng, missed):
 
 
 def scores(missed):
-    """(estimate - truth) / standard error of every quantity, for all legs."""
+    """(estimate - truth) / standard error of every quantity, for all legs that tell it."""
     rng = np.random.default_rng(11)
     each = []
     for _ in range(LEGS):
         recording, truth = person(rng, missed)
         result = fit(recording, multistart=2)
         found = {**result.parameters, **result.ratios, "torque_amplitude": result.torque_amplitude}
-        each.append(
-            [
-                (found[name].value - value) / found[name].standard_error
-                for name, value in truth.items()
-            ]
-        )
-    return dict(zip(truth, np.array(each).T, strict=True))
+        each.append([score(found[name], value) for name, value in truth.items()])
+    return {
+        name: column[np.isfinite(column)]
+        for name, column in zip(truth, np.array(each).T, strict=True)
+    }
+
+
+def score(found, value):
+    """(estimate - truth) / standard error; not a number where the recording does not tell it."""
+    return np.nan if found.value is None else (found.value - value) / found.standard_error
 
 
 @pytest.mark.timeout(1800)  # 200 fits, each looked at twice where it misses something
 @pytest.mark.parametrize("missed", [0.0, MISSED], ids=["exact model", "one noise level missed"])
 def test_intervals_cover_the_truth_of_everything_that_the_data_tell(missed):
-    covered = {name: float(np.mean(np.abs(z) < INTERVAL)) for name, z in scores(missed).items()}
+    found = scores(missed)
+    assert min(z.size for z in found.values()) >= (1 - UNTOLD) * LEGS
+    covered = {name: float(np.mean(np.abs(z) < INTERVAL)) for name, z in found.items()}
     assert min(covered.values()) >= COVERED[0], covered
     assert max(covered.values()) <= COVERED[1] + 0.5 / LEGS, covered

@@ -79,9 +79,7 @@ def slanted(problem: Problem, ended: SearchResult) -> dict[str, float]:
     if problem.belief.rig or "tilt" not in problem.owned:
         return dict(zip(problem.quantities, variance, strict=True))
     deviation = problem.deviation_of("tilt")
-    only_noise = ended.disturbance.kinds[ended.disturbance.trusted].cause is None
-    data = ended.local.data if only_noise else white(problem, ended.best, 0)
-    total = data + ended.local.prior
+    total = ended.local.data + ended.local.prior
     for entry in undeclared(problem, "tilt"):
         if deviation[entry] < SLANT:
             seen = found(problem, ended.best, 0, entry, total)
