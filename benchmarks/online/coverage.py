@@ -32,7 +32,9 @@ class Answer(NamedTuple):
 
 
 def model_of(friction: float) -> online.Model:
-    return online.Model(online.Unknowns((CoulombFriction,) if friction else ()))
+    """Of the world's sensors, whose clock is exact, and said to be."""
+    terms = (CoulombFriction,) if friction else ()
+    return online.Model(online.Unknowns(terms), online.Node(clock_declared=True))
 
 
 def answers(
@@ -41,7 +43,7 @@ def answers(
     """What every method says of a leg; with `batch` also the batch fit, which takes a while."""
     rng = np.random.default_rng([number, int(1e3 * friction)])
     sensors = world.draw_sensors(rng)
-    leg = replace(world.draw_leg(rng, friction), tilt=sensors.tilt)
+    leg = replace(world.draw_leg(rng, friction), tilt=sensors.tilt + world.draw_slant(rng))
     motion, free = world.session(rng, [leg] * 3)
     time, angle, rate = world.measured(rng, motion, sensors)
     truth = np.array([leg.gravity, leg.stiffness, leg.damping])

@@ -77,6 +77,13 @@ def draw_sensors(rng: np.random.Generator) -> Sensors:
     return Sensors(3 * DEGREE * zero, 5 * DEGREE * bias, 0.015 * scale, 0.2 * DEGREE * tilt)
 
 
+def draw_slant(rng: np.random.Generator) -> float:
+    """By how much a foot puts the centre of mass beside the leg's line [rad]: of every other leg,
+    by 2.5 degrees.
+    """
+    return 2.5 * DEGREE * rng.standard_normal() if rng.random() < 0.5 else 0.0
+
+
 def swing(leg: Leg, start: float, time: np.ndarray, letting_go: float) -> np.ndarray:
     """Angle, rate and acceleration after a hand lets go within so many seconds."""
 

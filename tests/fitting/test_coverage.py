@@ -10,6 +10,7 @@ import pytest
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.model.systematics import (
+    FOOT,
     GYRATION,
     GYRO_BIAS,
     GYRO_SCALE,
@@ -19,7 +20,6 @@ from exoid.fitting.model.systematics import (
     WEIGHED,
     ZERO,
 )
-from exoid.fitting.multistart.gross_errors import FOOT
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.state import LegState

@@ -22,6 +22,12 @@ def start():
 
 
 @pytest.fixture(scope="session")
+def sure():
+    """A model of a node whose seat and clock are declared: errors hold nothing but the drops."""
+    return online.Model(node=online.Node(slant=0.0, clock_declared=True))
+
+
+@pytest.fixture(scope="session")
 def play():
     """Samples of drops of legs, one each, and the first of the legs on its seat."""
 

@@ -51,11 +51,11 @@ def test_friction_that_the_model_lacks_is_told_and_not_believed(play, start):
 
 
 @pytest.mark.slow
-def test_intervals_hold_the_truth_of_forty_legs(play, start):
+def test_intervals_hold_the_truth_of_forty_legs(play, start, sure):
     squares, outside = [], 0
     for seed in range(100, 140):
         samples, leg, _ = play(seed, 1)
-        _, said = online.replay(start, samples)
+        _, said = online.replay(start, samples, sure)
         if said.drops[-1] != 1:
             continue
         off = said.ratios[-1] - np.array([leg.gravity, leg.stiffness, leg.damping])

@@ -31,7 +31,7 @@ def test_every_drop_is_found_and_no_lift_is_taken_for_one(three):
 def test_the_true_ratios_lie_within_four_standard_errors(three):
     _, leg, _, _, said = three
     assert (np.abs(said.ratios[-1] - truth(leg)) < 4 * said.errors[-1]).all()
-    assert said.errors[-1][0] < 0.003 * leg.gravity
+    assert said.errors[-1][0] < 0.01 * leg.gravity  # a foot and the clock are in it
 
 
 def test_trust_grows_from_waiting_to_enough(three):
@@ -121,7 +121,7 @@ def smooth(share):
     return share**3 * (10 - 15 * share + 6 * share**2)
 
 
-def test_a_drop_of_200_samples_a_second_tells_more_than_of_100(start):
+def test_a_drop_of_200_samples_a_second_tells_more_than_of_100(start, sure):
     from benchmarks.online import world
 
     def errors(tick):
@@ -129,7 +129,7 @@ def test_a_drop_of_200_samples_a_second_tells_more_than_of_100(start):
         leg, sensors = world.draw_leg(rng), world.draw_sensors(rng)
         motion, _ = world.session(rng, [leg], tick=tick)
         time, angle, rate = world.measured(rng, motion, sensors, tick)
-        _, said = online.replay(start, online.Sample(time, angle, rate))
+        _, said = online.replay(start, online.Sample(time, angle, rate), sure)
         assert (np.abs(said.ratios[-1] - truth(leg)) < 4 * said.errors[-1]).all()
         return said.errors[-1]
 

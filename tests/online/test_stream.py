@@ -62,10 +62,10 @@ def test_missing_numbers_are_passed_over(drop, start):
     assert np.isfinite(said.ratios).all()
 
 
-def test_without_a_gyro_the_encoder_alone_tells_less(drop, start):
+def test_without_a_gyro_the_encoder_alone_tells_less(drop, start, sure):
     samples, leg, _ = drop
-    _, both = online.replay(start, samples)
-    _, alone = online.replay(start, replace(samples, angular_velocity=np.nan * samples.time))
+    _, both = online.replay(start, samples, sure)
+    _, alone = online.replay(start, replace(samples, angular_velocity=np.nan * samples.time), sure)
     assert alone.drops[-1] == 1
     assert within(alone, leg)
     assert (alone.errors[-1] > both.errors[-1]).all()

@@ -61,7 +61,7 @@ def refine(
             velocity_noise=node.velocity_noise,
             angle_zero_uncertainty=node.zero,
             gyro_scale_uncertainty=node.scale,
-            clock_uncertainty=node.clock,
+            clock_uncertainty=node.clock if node.clock_declared else None,
         ),
     )
     late = (SensorSkew,) if node.delay_error > 0 else ()

@@ -1,7 +1,7 @@
 """A live estimate beside the batch fit of the same drops, and how the filter goes on from that."""
 
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, partial
 
 import jax
 import jax.numpy as jnp
@@ -11,9 +11,10 @@ from jaxtyping import Float
 from exoid.fitting.result.fit_result import FitResult
 from exoid.online.belief import DEFAULT, Belief, belief_of, knowledge_of
 from exoid.online.filter.gaussian import Gaussian
-from exoid.online.filter.read_out import on_the_seat, slope_of_seat, slopes
+from exoid.online.filter.read_out import Seated, slope_of_seat, slopes
 from exoid.online.filter.read_out import ratios as ratios_of
-from exoid.online.model.model import Model
+from exoid.online.filter.read_out import seated as seated_by
+from exoid.online.model.model import Model, Node
 from exoid.online.model.trust import Phase
 
 RATIOS = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
@@ -54,8 +55,9 @@ def refined(belief: Belief, found: FitResult, model: Model = DEFAULT) -> Belief:
     now = knowledge_of(belief, model)
     if now.phase == Phase.MOVING:
         raise ValueError("the leg moves: refine the belief when the movement has ended.")
-    one = seated(belief, model)
-    values, errors = told(one)
+    known = seated(belief, model)
+    values, errors = told(known)
+    one = known.level
     batch, others = of_fit(found)
     with jax.enable_x64(True):
         slope = np.asarray(slopes(one.mean))
@@ -71,19 +73,19 @@ def refined(belief: Belief, found: FitResult, model: Model = DEFAULT) -> Belief:
     return belief_of(replace(now, filters=both), model)
 
 
-def seated(belief: Belief, model: Model) -> Gaussian:
+def seated(belief: Belief, model: Model) -> Seated:
     """What all drops told, with what is known of the seat."""
     known = jax.tree.map(lambda both: both[0], knowledge_of(belief, model).filters)
     with jax.enable_x64(True):
-        return jax.tree.map(np.asarray, on_seat()(known, model.node.tilt))
+        return jax.tree.map(np.asarray, on_seat(model.node)(known))
 
 
 @cache
-def on_seat():
-    return jax.jit(on_the_seat)
+def on_seat(node: Node):
+    return jax.jit(partial(seated_by, node=node))
 
 
-def told(known: Gaussian) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
+def told(known: Seated) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
     """The ratios and their errors."""
     with jax.enable_x64(True):
         values, errors = ratios_of(known)

@@ -84,7 +84,8 @@ def run(
 
 def without_sensing(model: Model) -> Model:
     """What a program is compiled for: how samples scatter, a belief says."""
-    return replace(model, node=Node(tilt=model.node.tilt))
+    node, kept = model.node, ("tilt", "slant", "clock", "clock_declared")
+    return replace(model, node=Node(**{name: getattr(node, name) for name in kept}))
 
 
 @cache

@@ -1,5 +1,6 @@
 """What is known of a leg in the numbers that people read, and who told them."""
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -14,7 +15,7 @@ from exoid.fitting.misfit.uncertainty import Shares, Source
 from exoid.fitting.model.term_parameters import ratio_name, ratio_unit
 from exoid.online.belief import DEFAULT, Belief, knowledge_of
 from exoid.online.filter.gaussian import Gaussian
-from exoid.online.filter.read_out import on_the_seat
+from exoid.online.filter.read_out import seated
 from exoid.online.model.model import Model
 from exoid.online.model.unknowns import AT, FIRST_TERM, Row, own_value
 
@@ -84,6 +85,16 @@ def units(model: Model) -> dict[str, str]:
     return found
 
 
+def time_power(unit: str) -> int:
+    """The power of time in a unit, kg and m being others: -2 of 1/s^2, and of N m."""
+    over = unit.index("/") if "/" in unit else len(unit)
+    power = 0
+    for found in re.finditer(r"\b(N|s)\b(?:\^(\d+))?", unit):
+        each = int(found[2] or 1) * (-2 if found[1] == "N" else 1)
+        power += -each if found.start() > over else each
+    return power
+
+
 def has_ratio(name: str, told: Mapping[str, str]) -> bool:
     """Is it a term's parameter that goes with J?"""
     return f"{name}_over_inertia" in told or f"{name}_times_inertia" in told
@@ -108,15 +119,17 @@ def quantities(model: Model, row: Row) -> Float[Array, " quantity"]:
 def read(model: Model) -> Callable[[Any, Any], tuple[Array, Array]]:
     """From mean and root to all quantities and their standard errors."""
 
+    powers = np.array([time_power(unit) for unit in units(model).values()])
+
     def told(mean: Row, root: Any) -> tuple[Array, Array]:
-        seated = on_the_seat(Gaussian(mean, root), model.node.tilt)
+        belief = seated(Gaussian(mean, root), model.node)
 
         def of_row(row: Row) -> Array:
             return quantities(model, row)
 
-        slope = jax.jacfwd(of_row)(seated.mean)
-        errors = jnp.sqrt(jnp.sum((slope @ seated.root) ** 2, axis=1))
+        values, slope = of_row(belief.level.mean), jax.jacfwd(of_row)(belief.level.mean)
+        errors = belief.errors(values, slope, powers)
         tilted = jnp.zeros_like(errors).at[len(RATIOS)].set(model.node.tilt)  # zero: gamma + tilt
-        return of_row(seated.mean), jnp.hypot(errors, tilted)
+        return values, jnp.hypot(errors, tilted)
 
     return jax.jit(told)

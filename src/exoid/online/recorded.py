@@ -51,7 +51,7 @@ def columns_of(segment: Segment, begin: float) -> list[np.ndarray]:
 
 def node_of(recording: Recording) -> Node:
     """The sensors of a recording: how often they sent, how much the samples scatter, and what its
-    sidecar says of zero and scale.
+    sidecar says of zero, scale, seat and clock.
 
     >>> time = np.arange(200) * 0.02  # s
     >>> shaken = 2e-3 * np.random.default_rng(0).standard_normal(200)  # rad
@@ -63,8 +63,7 @@ def node_of(recording: Recording) -> Node:
     times, angles, rates, _ = zip(
         *(columns_of(each, 0.0) for each in recording.segments), strict=True
     )
-    said, own = recording.sensors, Node()
-    known = {"zero": said.angle_zero_uncertainty, "scale": said.gyro_scale_uncertainty}
+    said, own = recording.sensors, declared(recording)
     return replace(
         own,
         angle_noise=level_of(times, angles, said.angle_noise, OF_ANGLE, LEAST[0]),
@@ -72,7 +71,22 @@ def node_of(recording: Recording) -> Node:
         velocity_noise=level_of(times, rates, said.velocity_noise, OF_RATE, LEAST[1]),
         velocity_step=0.0,
         period=max(own.period, *(usual_step(each) for each in times)),
+    )
+
+
+def declared(recording: Recording) -> Node:
+    """A node with what the sidecar of a recording says of zero, scale, seat and clock."""
+    sensors, seat = recording.sensors, recording.protocol.thigh_angle_uncertainty
+    known = {
+        "zero": sensors.angle_zero_uncertainty,
+        "scale": sensors.gyro_scale_uncertainty,
+        "tilt": seat,
+        "slant": None if seat is None else 0.0,
+        "clock": sensors.clock_uncertainty,
+    }
+    return Node(
         **{name: value for name, value in known.items() if value is not None},
+        clock_declared=sensors.clock_uncertainty is not None,
     )
 
 

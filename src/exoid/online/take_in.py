@@ -7,7 +7,7 @@ from jaxtyping import Array, Float
 
 from exoid.online.filter.gaussian import Gaussian
 from exoid.online.filter.pack import where_so
-from exoid.online.filter.read_out import off_the_seat, on_the_seat, ratios
+from exoid.online.filter.read_out import off_the_seat, ratios, seated, slopes
 from exoid.online.filter.select import select
 from exoid.online.filter.whiteness import unwhite
 from exoid.online.model.model import Goals, Model
@@ -77,10 +77,12 @@ def turned(belief: Knowledge, rate: Float[Array, ""]):
 def outlook(model: Model, belief: Knowledge) -> Outlook:
     """What the belief says."""
     known = shown(belief)
-    values, errors = ratios(on_the_seat(known, model.node.tilt))
-    contradicted = off_the_seat(known, model.node.tilt)
+    on_seat = seated(known, model.node)
+    values, errors = ratios(on_seat)
+    told = on_seat.told(slopes(on_seat.level.mean))
+    contradicted = off_the_seat(known, model.node)
     return Outlook(
-        trust=trust(model.goals, belief, values, errors, contradicted),
+        trust=trust(model.goals, belief, values, (errors, told), contradicted),
         phase=belief.phase,
         drops=belief.verdict.drops,
         ratios=values,
@@ -100,14 +102,17 @@ def shown(belief: Knowledge) -> Gaussian:
 
 
 def trust(goals: Goals, belief: Knowledge, values, errors, contradicted):
-    """How far to believe it; the worst that is to be said comes last."""
+    """How far to believe it; the worst that is to be said comes last. Of the `errors` the first are
+    all, the second what more drops would make smaller.
+    """
     verdict = belief.verdict
     gravity = jnp.abs(values[0])
-    share = jnp.max(errors / jnp.stack([gravity, gravity, jnp.sqrt(gravity)]))
+    sizes = jnp.stack([gravity, gravity, jnp.sqrt(gravity)])
+    share, left = (jnp.max(each / sizes) for each in errors)
     begun = (verdict.drops > 0) | (belief.phase == Phase.MOVING)
     said = jnp.where(begun, int(Trust.LEARNING), int(Trust.WAITING))
     said = jnp.where(begun & (share < goals.good), int(Trust.GOOD), said)
-    said = jnp.where((verdict.drops > 0) & (share < goals.enough), int(Trust.ENOUGH), said)
+    said = jnp.where((verdict.drops > 0) & (left < goals.enough), int(Trust.ENOUGH), said)
     said = jnp.where(verdict.unexplained, int(Trust.UNEXPLAINED), said)
     said = jnp.where(verdict.changed, int(Trust.CHANGED), said)
     said = jnp.where(begun & contradicted, int(Trust.UNEXPLAINED), said)

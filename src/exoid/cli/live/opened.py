@@ -9,7 +9,7 @@ from exoid.cli.inputs.reading import take
 from exoid.cli.live.replay import of_log, of_recording
 from exoid.cli.terminal.say import say
 from exoid.online.model.model import Node
-from exoid.online.recorded import PAUSE, node_of
+from exoid.online.recorded import PAUSE, declared, node_of
 from exoid.recordings.can.logs.log_files import FORMATS, read_log
 from exoid.recordings.can.node.which import nodes_in
 from exoid.recordings.live.decoding.node_stream import NodeStream
@@ -68,7 +68,7 @@ def open_recording(path: Path, body: dict[str, float], node: int | None, **readi
         thigh_angle,
         lambda many: of_log(log, stream, many),
         stream=stream,
-        node=Node(),
+        node=declared(recording),
     )
 
 

@@ -14,7 +14,7 @@ from exoid.fitting.misfit.condensed import Neighbourhood
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import declared_slopes
 from exoid.fitting.model.coordinates import TYPICAL, places
-from exoid.fitting.model.systematics import SLANT
+from exoid.fitting.model.systematics import DISAGREE, FARTHEST, FOOT, SLANT, SUSPECTED
 from exoid.fitting.model.term_parameters import parameters_of
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.multistart.weight_by_kind import likelihood
@@ -25,11 +25,7 @@ from exoid.fitting.solve.program_values import Solved
 CONVINCING = 3.0  # gain of log likelihood from which on a seat is held for tilted
 STEEPEST = np.radians(5.0)  # standard deviation of its tilt
 LYING = 2.0  # times it: a fit with a seat that is tilted by more takes it for something else
-FOOT = 0.5  # of all legs, whose centre of mass is taken to lie beside their line
 FINE = 1e-2  # tolerance, in units of noise
-DISAGREE = 5.0  # standard errors from which on encoder and gyro clearly disagree in scale
-SUSPECTED = 0.6  # of that disagreement: each of three may hold all of it, or a part
-FARTHEST = 0.05  # of a rate: a polled loop, or a nominal rate that was taken for the true one
 BEYOND = 2.0  # times it the gyro's own may be
 VAGUE = 1e-9  # of every information, and of one typical step, that is known of everything
 

@@ -4,23 +4,87 @@ The offset o is followed as if nothing were known of it. But gravity tells gamma
 seat is level but for its tilt e: o - c gamma = c e. That is a measurement of 0 with the variance
 (c / J)^2 var(e), no line in the unknowns; so it is taken anew at every reading, where the filter
 stands, and never becomes a part of what is followed.
+
+No drop tells whether a foot puts the centre of mass beside the leg's line, which looks like a tilt
+of the seat, nor whether the clock is what encoder and gyro disagree by: errors hold both.
 """
 
 from typing import Any
 
+import equinox as eqx
 import jax
 import jax.numpy as jnp
 from jaxtyping import Array, Bool, Float
 
+from exoid.fitting.model.systematics import DISAGREE, FARTHEST, FOOT, SUSPECTED
 from exoid.online.filter.gaussian import Gaussian
 from exoid.online.filter.times import times
+from exoid.online.model.model import Node
 from exoid.online.model.unknowns import AT, Row
 
 ROUNDS = 3  # of Gauss-Newton; the last moves nothing
 FAR = 5.0  # standard deviations from the seat, which no level lets it be tilted by
+POWERS = (2, 2, 1)  # of a clock's rate, by which m l g / J, c / J and d / J go
 LEAST = 1e-3  # 1/s^2, of a torque over inertia that nobody could see
 
 Scalar = Float[Array, ""]
+
+
+class Seated(eqx.Module):
+    """The belief on a seat that is level, and on one tilted as a foot makes it look."""
+
+    level: Gaussian
+    slanted: Gaussian
+    odds: Float[Any, ""]  # that a foot does
+    clock: Float[Any, ""]  # standard deviation of its rate, relative
+
+    def told(self, slope: Float[Array, "number unknown"]) -> Float[Array, " number"]:
+        """Standard errors of numbers that change so with the unknowns, by what the drops tell: what
+        more drops would make smaller.
+        """
+        return jnp.sqrt(jnp.sum(times(slope, self.level.root) ** 2, axis=1))
+
+    def errors(
+        self, values: Float[Array, " number"], slope: Float[Array, "number unknown"], powers: Any
+    ) -> Float[Array, " number"]:
+        """The same with what no drop tells: a foot, and a clock, with so many powers of whose rate
+        the numbers go.
+        """
+        apart = times(slope, (self.slanted.mean - self.level.mean)[:, None])[:, 0]
+        level = self.told(slope) ** 2
+        slanted = jnp.sum(times(slope, self.slanted.root) ** 2, axis=1) + apart**2
+        clock = jnp.asarray(powers) * values * self.clock
+        return jnp.sqrt(level + self.odds * (slanted - level) + clock**2)
+
+
+def seated(belief: Gaussian, node: Node) -> Seated:
+    """The belief with what a node says of seat and clock."""
+    level = on_the_seat(belief, node.tilt)
+    clock = doubted_clock(level, node)
+    if node.slant <= node.tilt:
+        return Seated(level, level, jnp.zeros(()), clock)
+    gain = likelihood(belief, node.slant) - likelihood(belief, node.tilt)
+    odds = 1 / (1 + jnp.exp(-gain) * (1 / FOOT - 1))
+    return Seated(level, on_the_seat(belief, node.slant), odds, clock)
+
+
+def doubted_clock(belief: Gaussian, node: Node) -> Float[Array, ""]:
+    """How far the clock's rate may be off: as is usual, or by what is declared; where encoder and
+    gyro disagree in scale, it may be the clock.
+    """
+    usual, at = jnp.asarray(node.clock), AT["gyro_scale"]
+    if node.clock_declared:
+        return usual
+    apart, error = jnp.abs(belief.mean[at]), jnp.sqrt(jnp.sum(belief.root[at] ** 2))
+    suspected = SUSPECTED * jnp.minimum(apart, FARTHEST)
+    return jnp.where(apart > DISAGREE * error, jnp.maximum(suspected, usual), usual)
+
+
+def likelihood(belief: Gaussian, tilt: float) -> Float[Array, ""]:
+    """The logarithm of that of a seat whose tilt has this standard deviation."""
+    value, slope, noise = slope_of_seat(belief.mean, tilt)
+    total = jnp.sum(times(slope[None], belief.root) ** 2) + noise
+    return -(jnp.log(total) + value**2 / total) / 2
 
 
 def on_the_seat(belief: Gaussian, tilt: Any) -> Gaussian:
@@ -39,11 +103,11 @@ def on_the_seat(belief: Gaussian, tilt: Any) -> Gaussian:
     return jax.lax.fori_loop(0, ROUNDS, corrected, belief)
 
 
-def off_the_seat(belief: Gaussian, tilt: Any) -> Bool[Array, ""]:
-    """Do the drops contradict what is known of the seat? Then the spring rests elsewhere, or a
-    constant torque acts, and the ratios that the seat makes sure of are wrong.
+def off_the_seat(belief: Gaussian, node: Node) -> Bool[Array, ""]:
+    """Do the drops contradict what is known of the seat, and of a foot? Then the spring rests
+    elsewhere, or a constant torque acts, and the ratios that the seat makes sure of are wrong.
     """
-    value, slope, noise = slope_of_seat(belief.mean, tilt)
+    value, slope, noise = slope_of_seat(belief.mean, max(node.tilt, node.slant))
     total = jnp.sum(times(slope[None], belief.root) ** 2) + noise
     return value**2 > FAR**2 * total
 
@@ -59,10 +123,10 @@ def slope_of_seat(mean: Row, tilt: Any) -> tuple[Scalar, Row, Scalar]:
     return value, slope, (mean[AT["stiffness"]] * tilt) ** 2 + LEAST**2
 
 
-def ratios(belief: Gaussian) -> tuple[Float[Array, "3"], Float[Array, "3"]]:
+def ratios(belief: Seated) -> tuple[Float[Array, "3"], Float[Array, "3"]]:
     """m l g / J, c / J and d / J, and their standard errors."""
-    errors = jnp.sqrt(jnp.sum(times(slopes(belief.mean), belief.root) ** 2, axis=1))
-    return values(belief.mean), errors
+    found = values(belief.level.mean)
+    return found, belief.errors(found, slopes(belief.level.mean), POWERS)
 
 
 def values(row: Row) -> Float[Array, "3"]:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from math import pi, radians, sqrt
 
+from exoid.fitting.model.systematics import CLOCK, SLANT, TILT
 from exoid.online.model.unknowns import Unknowns
 
 ENCODER_STEP = 2 * pi / 4096  # rad, of the AS5600
@@ -29,11 +30,13 @@ class Node:
     # that age drifts
     delay_drift: float = RENEWAL / 6
     zero: float = radians(3.0)  # rad, what the encoder shows with the knee extended
-    tilt: float = radians(0.2)  # rad, of a seat that looks level
+    tilt: float = TILT  # rad, of a seat that looks level
+    slant: float = SLANT  # rad, of the line to the centre of mass, where a foot puts it elsewhere
     bias: float = radians(5.0)  # rad/s, of the gyro
     scale: float = 0.015  # relative, of the gyro
     period: float = 0.01  # s between samples; more often is as well
-    clock: float = 1e-4  # relative, of a quartz; the live estimate takes it as exact
+    clock: float = CLOCK  # relative, of a quartz
+    clock_declared: bool = False  # else it may be what encoder and gyro disagree by
 
     @property
     def variances(self) -> tuple[float, float]:

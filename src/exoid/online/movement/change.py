@@ -7,7 +7,7 @@ import jax.numpy as jnp
 from jaxtyping import Array, Bool
 
 from exoid.online.filter.pack import where_so
-from exoid.online.filter.read_out import on_the_seat, ratios
+from exoid.online.filter.read_out import on_the_seat, values
 from exoid.online.filter.whiteness import fails
 from exoid.online.model.model import Model
 from exoid.online.movement.end import SWINGS
@@ -60,8 +60,8 @@ def differs(model: Model, belief: Knowledge) -> Bool[Array, ""]:
         lambda before, filters: jnp.stack([before, filters[1]]), belief.before, belief.filters
     )
     seated = jax.vmap(on_the_seat, in_axes=(0, None))(both, model.node.tilt)
-    values, _ = jax.vmap(ratios)(seated)
-    apart = jnp.abs(values[1] - values[0])
-    gravity = values[0, 0]
+    ratios = jax.vmap(values)(seated.mean)
+    apart = jnp.abs(ratios[1] - ratios[0])
+    gravity = ratios[0, 0]
     sizes = jnp.stack([gravity, gravity, jnp.sqrt(jnp.abs(gravity))])
     return (apart > jnp.array(MATTERS) * sizes).any()
