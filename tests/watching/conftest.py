@@ -4,7 +4,7 @@ import pytest
 from bundled_session import LOADED, SUBJECT, WEIGHT
 
 from exoid.cli.inputs.reading import EXAMPLE
-from exoid.online.model.model import Model
+from exoid.online.model.model import Model, Node
 from exoid.physics.anatomy import expected_leg
 from exoid.recordings.can.logs.log_files import read_log
 from exoid.recordings.live.decoding.node_stream import NodeStream
@@ -22,7 +22,9 @@ def readings():
 
 @pytest.fixture(scope="session")
 def person():
-    return Person(SUBJECT, expected_leg(74.0, 1.78), Model())
+    """On a seat and with a clock that are declared: errors hold what drops tell."""
+    node = Node(slant=0.0, clock_declared=True)
+    return Person(SUBJECT, expected_leg(74.0, 1.78), Model(node=node))
 
 
 @pytest.fixture

@@ -68,8 +68,13 @@ def open_recording(path: Path, body: dict[str, float], node: int | None, **readi
         thigh_angle,
         lambda many: of_log(log, stream, many),
         stream=stream,
-        node=declared(recording),
+        node=with_own_clock(declared(recording)),
     )
+
+
+def with_own_clock(node: Node) -> Node:
+    """The same by the node's clock, as a live one is followed: the log's times are by another."""
+    return replace(node, clock=Node.clock, clock_declared=False)
 
 
 def tell_of_pauses(path: Path, count: int) -> None:

@@ -39,7 +39,7 @@ def lines(board: "Board") -> list[str]:
         "" if board.moment is None else f"{board.moment.time:.1f} s, {words.all_drops(board)}; "
     )
     said = [f"{seconds}{words.trust(board)}", *found]
-    said += filter(None, [words.unseen(board), words.batch(board)])
+    said += filter(None, [words.unseen(board), words.allowance(board), words.batch(board)])
     if (then := words.advice(board)) != "":
         said.append(f"next: {then}")
     return said

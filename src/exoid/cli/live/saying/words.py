@@ -22,6 +22,11 @@ DIAGNOSE = (
     "exoid live --with TERM"
 )
 OPEN = (2, ENOUGH)  # trusts that would say good, or enough, while a goal is open
+ALLOWANCE = (
+    "± holds what no drop tells: where a foot puts the centre of mass (give "
+    "thigh_angle_uncertainty_deg with it), and a clock that may be what encoder and gyro disagree "
+    "by (clock_uncertainty)"
+)
 DIGITS = 2  # of an error
 
 
@@ -161,6 +166,11 @@ def unseen(board: "Board") -> str:
     if board.ended or board.moment is None or int(board.moment.trust) != WAITING:
         return ""
     return UNSEEN
+
+
+def allowance(board: "Board") -> str:
+    """What is in the errors beside what drops tell."""
+    return ALLOWANCE if quantities(board) and board.ended else ""
 
 
 def all_drops(board: "Board") -> str:
