@@ -30,7 +30,7 @@ from exoid.mismatch.search.challenge import challenged, with_hidden
 from exoid.mismatch.search.found import Found, causes, names, size
 from exoid.mismatch.search.search import look
 from exoid.mismatch.stand_in import with_nameless
-from exoid.mismatch.with_model import just_made, with_model
+from exoid.mismatch.with_model import beside_a_hand, just_made, with_model
 from exoid.physics.term import SensorTerm, Term
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.recording import Recording
@@ -76,7 +76,7 @@ def diagnose(
             later = None if from_the_first(whole, movements) else ask(result)
             if later is None or (not names_it(later) and may_be(later, whole.selected)):
                 return with_model(whole, named, at_once, told)
-            return with_model(later, named, options, told)
+            return beside_a_hand(with_model(later, named, options, told), whole)
     return with_model(ask(result), named, options, told)
 
 
