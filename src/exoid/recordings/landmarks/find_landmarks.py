@@ -74,11 +74,16 @@ def first_top(track: Track) -> int:
 
 
 def rested(track: Track, extent: Extent, turns: list[Peak]) -> Rest:
-    """The rest that a drop ends with, where no hand ended it."""
-    if extent.ended == "caught":
-        raise CutBefore(f"caught: {extent.why}. Leave it alone until it hangs still")
+    """The rest that a drop ends with, before a hand took the leg if one did."""
     hidden = [at for at, each in enumerate(turns) if track.hole_at(each.time)]
-    return find_rest(track, turns[hidden[-1] + 1 :] if hidden else turns)
+    try:
+        return find_rest(track, turns[hidden[-1] + 1 :] if hidden else turns)
+    except NotAllowed as why:
+        if extent.ended != "caught":
+            raise
+        raise CutBefore(
+            f"caught: {extent.why}, while it still swung. Leave it alone until it hangs still"
+        ) from why
 
 
 def held(track: Track, release: Release, found: list[Peak]) -> NotAllowed | None:

@@ -20,6 +20,7 @@ class Piece:
     stop: int  # one past its last sample
     kind: Kind | None  # None where a hand moved the leg
     name: str
+    lifted: int | None = None  # the sample from which a hand lifted a leg that had swung out
 
     @property
     def samples(self) -> slice:
@@ -39,7 +40,8 @@ def find_pieces(log: Segment, sensors: Sensors, told: Kind | tuple | None) -> li
     least = max(TRAVEL, CLEAR * noise)
 
     def pieces_in(part: slice, speed: Speed) -> list[Piece]:
-        return [piece(log, smooth, a, told) for a in far_ones(log.time, smooth, part, speed, least)]
+        parts = far_ones(log.time, smooth, part, speed, least)
+        return [with_lift(piece(log, smooth, each, told), smooth, least) for each in parts]
 
     pieces = []
     for whole in pieces_in(slice(0, log.time.size), speed):
@@ -83,6 +85,22 @@ def piece(log: Segment, smooth: Samples, part: slice, told: Kind | tuple | None)
     if told in ("passive", "active") and kind != told:
         kind = None
     return Piece(part.start, part.stop, kind, name)
+
+
+def with_lift(piece: Piece, smooth: Samples, least: float) -> Piece:
+    """A drop with where a hand lifts the leg at its end, if one does: farther up, by `least` rad,
+    than the leg swung before, and up to where it stays.
+    """
+    if piece.name != "a drop":
+        return piece
+    angle = smooth[piece.samples]
+    ends = [0, *reversals(angle, least), angle.size - 1]
+    lows = [
+        low
+        for before, low, top in zip(ends, ends[1:], ends[2:], strict=False)
+        if min(angle[top], angle[-1]) > max(angle[before], angle[low]) + least
+    ]
+    return replace(piece, lifted=piece.start + lows[-1]) if lows else piece
 
 
 def rings(angle: Samples) -> bool:

@@ -107,11 +107,15 @@ def kept_parts(log: Segment, pieces: list[Piece]) -> list[slice]:
 
 
 def notes_of(log: Segment, pieces: list[Piece]) -> tuple[str, ...]:
-    """What was left out, by its time."""
-    left = [
-        f"{each.name} from {log.time[each.start]:.1f} to {log.time[each.stop - 1]:.1f} s"
+    """What was left out, by its time; a lift at the end of a drop stays, but tells nothing."""
+    each = [
+        (each.name, each.start, each.stop) if each.kind is None else ("a lift", lift, each.stop)
         for each in pieces
-        if each.kind is None
+        if (lift := each.lifted) is not None or each.kind is None
+    ]
+    left = [
+        f"{name} from {log.time[start]:.1f} to {log.time[stop - 1]:.1f} s"
+        for name, start, stop in each
     ]
     more = f", and {len(left) - SHOWN} more times" if len(left) > SHOWN else ""
     return (f"left out, for a hand moved the leg: {', '.join(left[:SHOWN])}{more}",) if left else ()
