@@ -14,6 +14,7 @@ from exoid.recordings.signal.turns import bends
 MOTION_SPEED = np.radians(20.0)  # rad/s, the paper's criterion of significant motion
 SMOOTHING = 0.05  # s, of the velocity that decides what moves; half a leg's swing takes 0.5 s
 FREE, SHRUNK = 3, 0.8  # swings that no muscle makes, and to what share they shrink in all
+BRIDGED = 0.1  # s without a sample: a line over more takes over 1 in 25 off a swing that turns there
 RINGING = 0.1  # of its travel: the least that a swing goes
 ENDS = 3  # samples, of which one may be wild
 ANGLES = ("angle", "raw_angle")
@@ -113,21 +114,48 @@ def classify(segment: Segment) -> Kind | None:
     """
     channel = next(each for each in ANGLES if getattr(segment, each) is not None)
     wild = spikes_of(segment, channel, 0.0)
-    angle = interpolated(segment.time, np.where(wild, np.nan, getattr(segment, channel)))
+    known = np.where(wild, np.nan, getattr(segment, channel))
+    angle = interpolated(segment.time, known)
     if np.ptp(angle) == 0:
         return None
     begin, end = (float(np.median(each)) for each in (angle[:ENDS], angle[-ENDS:]))
     rise = (end - begin) / np.ptp(angle)
-    if rise <= -NEAR or swings_out(segment.time, angle):
+    if rise <= -NEAR or swings_out(segment.time, angle, ~np.isnan(known)):
         return "passive"
     return "active" if rise < NEAR else None
 
 
-def swings_out(time: Samples, angle: Samples) -> bool:
-    """Does it begin with a fall and ever smaller swings? No muscle moves a leg like that."""
+def swings_out(time: Samples, angle: Samples, seen: NDArray[np.bool_]) -> bool:
+    """Does it begin with a fall and ever smaller swings? No muscle moves a leg like that.
+
+    Where samples were not `seen`, the line over them hides turns: ever smaller swings before or
+    after it are enough.
+    """
     smooth = local_line(time, angle, 2 * SMOOTHING)[0]
-    turns = reversals(smooth, RINGING * float(np.ptp(smooth)))
-    swings = np.diff(smooth[[0, *turns]])
+    least = RINGING * float(np.ptp(smooth))
+    if shrinking(smooth[[0, *reversals(smooth, least)]]):
+        return True
+    parts = [smooth[each] for each in unbroken(time, seen)]
+    between = [part[reversals(part, least)] for part in parts[1:]]
+    first = [part[[0, *reversals(part, least)]] for part in parts[:1]]
+    return len(parts) > 1 and any(map(shrinking, (*first, *map(from_top, between))))
+
+
+def unbroken(time: Samples, seen: NDArray[np.bool_]) -> list[slice]:
+    """The stretches between the holes that no line bridges."""
+    at = np.flatnonzero(seen)
+    after = np.flatnonzero(np.diff(time[at]) > BRIDGED) + 1
+    return [slice(int(part[0]), int(part[-1]) + 1) for part in np.split(at, after) if part.size]
+
+
+def from_top(turns: Samples) -> Samples:
+    """Turning angles from the first upper one on."""
+    return turns[int(np.argmax(turns[:2])) :] if turns.size else turns
+
+
+def shrinking(ends: Samples) -> bool:
+    """Are the swings between these angles ever smaller, the first of them a fall?"""
+    swings = np.diff(ends)
     size = np.abs(swings)
     if size.size < FREE or swings[0] > 0:
         return False

@@ -65,7 +65,12 @@ def far_ones(
 def swing_out(log: Segment, smooth: Samples, pieces: list[Piece]) -> bool:
     """Does a leg swing out in some of them, and in all that would be drops?"""
     drops = [each.samples for each in pieces if each.kind == "passive"]
-    return bool(drops) and all(swings_out(log.time[each], smooth[each]) for each in drops)
+    return bool(drops) and all(swings_free(log, smooth, each) for each in drops)
+
+
+def swings_free(log: Segment, smooth: Samples, part: slice) -> bool:
+    seen = ~np.isnan(log.best_angle[part])
+    return swings_out(log.time[part], smooth[part], seen)
 
 
 def piece(log: Segment, smooth: Samples, part: slice, told: Kind | tuple | None) -> Piece:
@@ -80,7 +85,7 @@ def piece(log: Segment, smooth: Samples, part: slice, told: Kind | tuple | None)
     above = float(angle.max() - angle[0]) > ABOVE * float(np.ptp(angle))
     if kind == "active" and above:
         kind, name = None, "shaking"
-    if name == "a drop" and above and not swings_out(log.time[part], angle):
+    if name == "a drop" and above and not swings_free(log, smooth, part):
         kind, name = None, "a push"
     if told in ("passive", "active") and kind != told:
         kind = None
