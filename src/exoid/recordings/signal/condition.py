@@ -14,7 +14,7 @@ from exoid.recordings.signal.turns import bends
 MOTION_SPEED = np.radians(20.0)  # rad/s, the paper's criterion of significant motion
 SMOOTHING = 0.05  # s, of the velocity that decides what moves; half a leg's swing takes 0.5 s
 FREE, SHRUNK = 3, 0.8  # swings that no muscle makes, and to what share they shrink in all
-BRIDGED = 0.1  # s without a sample: a line over more takes over 1 in 25 off a swing that turns there
+BRIDGED = 0.1  # s without a sample: a line over it takes 1 in 25 off a swing that turns there
 RINGING = 0.1  # of its travel: the least that a swing goes
 ENDS = 3  # samples, of which one may be wild
 ANGLES = ("angle", "raw_angle")
