@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from exoid.pendulum.drops import measure_drops
 from exoid.recordings.landmarks.expected_rest import expected_rest
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import Peak
-from hands import Device, Hand, dropped
+from hands import Device, Hand, Knee, dropped
 from swings import Oscillator, drop, recorded
 
 
@@ -38,6 +39,17 @@ def test_a_leg_that_a_hand_lifted_has_the_index_that_its_free_swings_tell():
     # The same swings of a record that stops there tell nearly the same.
     assert kept.value == pytest.approx(cut.value, abs=0.01)
     assert kept.standard_error == pytest.approx(cut.standard_error, rel=0.1)
+
+
+def test_a_leg_that_hung_still_before_a_hand_lifted_it_has_its_rest():
+    knee, lifts = Knee(damping=0.8), (10.0, 4.0)  # s; it swings by 1.3 deg, and by 15
+    each = [dropped(knee, Hand(lift=at), Device(gyro=None), lasting=14.0)[0] for at in lifts]
+    rest = brentq(lambda phi: knee.pull(phi, 0.0), -1.57, -0.5)
+    (read,), (caught,) = (measure_drops(one).drops for one in each)
+    found = read.measures["plateau_angle"]
+    assert abs(found.value - rest) < 3 * found.standard_error < np.radians(0.5)
+    assert read.measures["relaxation_index"].value is not None
+    assert "while it still swung" in caught.measures["plateau_angle"].reason
 
 
 def cut_at(recording, end):

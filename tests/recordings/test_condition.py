@@ -216,3 +216,26 @@ def test_a_drop_that_is_hardly_damped_is_one_although_it_ends_near_its_start():
     again = -0.5 + 0.5 * np.cos(2 * np.pi * time / 1.5)  # four cycles of a muscle that tires
     tired = again * (1 - 0.05 * np.floor(time / 1.5))
     assert classify(Segment(time, raw_angle=tired)) == "active"
+
+
+@pytest.mark.parametrize("begin", [0.3, 0.8, 1.3])
+@pytest.mark.parametrize("lasting", [0.3, 0.6])
+def test_a_drop_with_a_hole_and_the_lift_after_it_is_no_voluntary_movement(begin, lasting):
+    time = np.arange(0, 9, 0.01)
+    swing = -1.4 + 1.2 * np.exp(-0.3 * time) * np.cos(5.5 * time)
+    lifted = np.clip(time - 7.5, 0, 1) * (-0.2 - swing[750])
+    angle = np.where(time < 7.5, swing, swing[750] + lifted)
+    hole = (time > begin) & (time < begin + lasting)
+    assert classify(Segment(time, raw_angle=np.where(hole, np.nan, angle))) == "passive"
+    assert classify(Segment(time[~hole], raw_angle=angle[~hole])) == "passive"
+
+
+@pytest.mark.parametrize("begin", [0.5, 2.0, 3.2])
+def test_voluntary_cycles_stay_voluntary_whatever_hole_they_have(begin):
+    """Each less far than the one before, but all from one angle, as no free leg swings."""
+    time = np.arange(0, 8, 0.01)
+    far = 1.0 * 0.8 ** np.floor(time / 2)
+    angle = -1.4 + far * (1 - np.cos(np.pi * time)) / 2
+    angle = angle + 1e-3 * np.random.default_rng(0).normal(size=time.size)
+    hole = (time > begin) & (time < begin + 0.6)
+    assert classify(Segment(time, raw_angle=np.where(hole, np.nan, angle))) == "active"

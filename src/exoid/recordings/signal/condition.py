@@ -15,6 +15,7 @@ MOTION_SPEED = np.radians(20.0)  # rad/s, the paper's criterion of significant m
 SMOOTHING = 0.05  # s, of the velocity that decides what moves; half a leg's swing takes 0.5 s
 FREE, SHRUNK = 3, 0.8  # swings that no muscle makes, and to what share they shrink in all
 BRIDGED = 0.1  # s without a sample: a line over it takes 1 in 25 off a swing that turns there
+LESS = 0.97  # of the swing before, beside a hole: a muscle's cycles, back at one angle, shrink less
 RINGING = 0.1  # of its travel: the least that a swing goes
 ENDS = 3  # samples, of which one may be wild
 ANGLES = ("angle", "raw_angle")
@@ -138,7 +139,8 @@ def swings_out(time: Samples, angle: Samples, seen: NDArray[np.bool_]) -> bool:
     parts = [smooth[each] for each in unbroken(time, seen)]
     between = [part[reversals(part, least)] for part in parts[1:]]
     first = [part[[0, *reversals(part, least)]] for part in parts[:1]]
-    return len(parts) > 1 and any(map(shrinking, (*first, *map(from_top, between))))
+    each = (*first, *map(from_top, between))
+    return len(parts) > 1 and any(shrinking(ends, LESS) for ends in each)
 
 
 def unbroken(time: Samples, seen: NDArray[np.bool_]) -> list[slice]:
@@ -153,10 +155,12 @@ def from_top(turns: Samples) -> Samples:
     return turns[int(np.argmax(turns[:2])) :] if turns.size else turns
 
 
-def shrinking(ends: Samples) -> bool:
-    """Are the swings between these angles ever smaller, the first of them a fall?"""
+def shrinking(ends: Samples, most: float = 1.0) -> bool:
+    """Are the swings between these angles ever smaller, less than `most` of the one before, and the
+    first of them a fall?
+    """
     swings = np.diff(ends)
     size = np.abs(swings)
     if size.size < FREE or swings[0] > 0:
         return False
-    return bool((np.diff(size) < 0).all() and size[-1] < SHRUNK * size[0])
+    return bool((size[1:] < most * size[:-1]).all() and size[-1] < SHRUNK * size[0])
