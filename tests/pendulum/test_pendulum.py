@@ -301,6 +301,16 @@ def test_several_recordings_are_named_and_averaged_together():
     assert len(test.average["period"].drops) == 2
 
 
+@pytest.mark.parametrize("hold", [0.0, HOLD])
+def test_a_rig_let_go_below_its_rest_is_read_from_the_top_that_it_swings_to(hold):
+    below = Oscillator(rest=-0.3, amplitude=-0.8)
+    found = only(replace(drop(below, hold=hold), subject=Subject(kind="rig")))
+    top = below.angle(below.period / 2)
+    assert found["start_angle"].value == pytest.approx(top, abs=2e-4)
+    assert found["period"].value == pytest.approx(below.period, rel=1e-4)
+    assert found["logarithmic_decrement_1"].value == pytest.approx(below.decrement, rel=2e-3)
+
+
 def test_a_real_knee_gives_what_knees_give(shared):
     found = only(load(shared / "real" / "knee-drop.csv").recording)
     assert refused(found) == NEEDS_RELEASE

@@ -68,9 +68,11 @@ def find_release(track: Track, extent: Extent) -> Release:
 
 
 def about(track: Track, extent: Extent) -> tuple[float, float, float]:
-    """Near which time it was let go, before which it was not, and how near [s]."""
+    """Near which time it was let go, before which it was not, and how near [s]: at its first sample
+    where that comes later, as at the top to which a rig that was let go below its rest swings.
+    """
     first = float(track.time[0])
-    if extent.held_until is not None:
+    if extent.held_until is not None and extent.release > first - LATE:
         return extent.release, first, NEAR + SURE * extent.release_error
     begun, error = (float(each[0]) for each in local(track, track.time[[0]]).derivative(1))
     if abs(begun) > MOTION_SPEED + SURE * error:
