@@ -298,6 +298,28 @@ def test_a_table_that_cannot_be_understood_is_one_sentence(write, content, optio
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize("angle", ["angle_deg", "raw_angle_deg", "knee_angle_deg"])
+def test_a_gyro_is_read_whatever_the_angle_beside_it_is_called(write, angle):
+    rows = [f"time_s,{angle},gyro_deg_s", *lines((TIME, ANGLE, RATE))]
+    loaded = load(write("\n".join(rows)))
+    (segment,) = loaded.recording.segments
+    np.testing.assert_allclose(segment.best_angle, np.radians(ANGLE), rtol=1e-15)
+    np.testing.assert_allclose(segment.raw_angular_velocity, np.radians(RATE), rtol=1e-15)
+    assert any("gyro_deg_s as raw_velocity_rad_s (in deg/s)" in note for note in loaded.notes)
+
+
+@pytest.mark.parametrize(("name", "ticks"), [("ms", 1e3), ("millis", 1e3), ("us", 1e6)])
+def test_a_clock_that_is_called_by_its_unit_is_the_time(write, name, ticks):
+    rows = [f"{name},knee_angle_deg", *lines((np.round(TIME * ticks), ANGLE))]
+    check(write("\n".join(rows)))
+
+
+def test_milliseconds_beside_a_time_are_not_the_time(write):
+    part = np.round(1e3 * TIME % 1 * 1e3)
+    _, said = check(write("\n".join(["time,ms,knee_angle_deg", *lines((TIME, part, ANGLE))])))
+    assert "not read: ms" in said
+
+
 def test_a_velocity_is_taken_for_a_gyro_only_where_it_is_called_one(write):
     rows = ["t,knee,knee_velocity", *lines((TIME, ANGLE, RATE))]
     segment, said = check(write("\n".join(rows)))

@@ -5,6 +5,7 @@ import pytest
 from tests.swings import Oscillator
 
 import exoid
+from exoid.recordings.tables.mending.clock_overflow import going_on
 
 STEP = 0.01  # s
 TIME = STEP * np.arange(800)
@@ -98,3 +99,33 @@ def test_rounded_times_of_a_table_with_a_gap_are_refused_with_a_way_out(tmp_path
     angle, speed = np.degrees(LEG.angle(taken)), np.degrees(LEG.velocity(taken))
     with pytest.raises(ValueError, match="give sample_rate_hz"):
         loaded(tmp_path, np.round(taken, 2), angle, speed)
+
+
+@pytest.mark.parametrize("tick", [1e-6, 1e-3])
+@pytest.mark.parametrize("began", [0.0, 3.0])  # s before it is full; 0 where it was set to 0 then
+def test_a_clock_that_counts_to_two_to_the_32_goes_on(tick, began):
+    full = 2**32 * tick
+    shown = TIME + full - 3.0
+    shown[shown >= full] -= full
+    time, ticks = going_on(shown - (full - began))
+    np.testing.assert_allclose(np.diff(time), STEP, atol=1e-8)  # of times of 50 days
+    assert ticks == {1e-6: "microseconds", 1e-3: "milliseconds"}[tick]
+
+
+def test_a_full_clock_of_a_table_is_mended_and_said(tmp_path):
+    shown = np.round((TIME + 4291.967296) * 1e6) % 2**32
+    path = tmp_path / "leg.csv"
+    path.with_suffix(".toml").write_text('[columns]\ntime_us = "micros"\n')
+    rows = [f"{t:.0f},{a:.6g}" for t, a in zip(shown, ANGLE, strict=True)]
+    path.write_text("\n".join(["micros,raw_angle_deg", *rows, ""]))
+    found = exoid.load(path, whole=True)
+    assert np.diff(found.recording.segments[0].time) == pytest.approx(STEP, abs=1e-6)
+    assert any("a counter of 2^32 microseconds is full" in note for note in found.notes)
+
+
+@pytest.mark.parametrize("behind", [-1.0, 1.5])  # s, of where a full clock would have gone on
+def test_a_clock_that_begins_again_otherwise_is_refused_with_a_way_out(tmp_path, behind):
+    time = np.where(TIME < 4.0, TIME + 4290.0, TIME + 4290.0 - 2**32 * 1e-6 + behind)
+    assert going_on(time) is None
+    with pytest.raises(ValueError, match="a column segment: 0 up to there, 1 from there on"):
+        loaded(tmp_path, np.where(TIME < 4.0, TIME, TIME - 4.0))

@@ -321,7 +321,10 @@ def check_segment(number: int, segment: Segment) -> None:
 def why_not_later(step: float) -> str:
     """What makes a time not come after the one before, and what to do."""
     if step < 0:
-        return "Did the clock wrap, were rows repeated?"
+        return (
+            "Did the clock wrap, were rows repeated? Did the logger start again there? Then give the "
+            "rows a column segment: 0 up to there, 1 from there on."
+        )
     return (
         "Were rows repeated? Then drop them. Were times rounded? Then write them with more digits, "
         "or leave the column out and give sample_rate_hz in [sensors]."

@@ -6,10 +6,12 @@ from pathlib import Path
 from exoid.files.text_file import content_of, plain_lines, read_text
 from exoid.recordings.tables.dialect import rows_of
 from exoid.recordings.tables.layout import are_units, sheet_of_rows
+from exoid.recordings.tables.names import called
 from exoid.recordings.tables.sheet import Place, Sheet
 
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 ANGLES = {"angle_rad", "raw_angle_rad", "angle_deg", "raw_angle_deg"}
+RATES = {"velocity_rad_s", "raw_velocity_rad_s", "velocity_deg_s", "raw_velocity_deg_s"}
 
 
 def read_delimited(path: Path) -> Sheet:
@@ -44,7 +46,9 @@ def legible(path: Path) -> str:
 
 
 def is_own(text: str) -> bool:
-    """Is this written as exoid's own table is: its time and angle, commas, no row of units?"""
+    """Is this written as exoid's own table is: its time and angle, commas, no row of units, and no
+    gyro under another name?
+    """
     try:
         names, below = [
             [cell.strip() for cell in next(csv.reader([line], skipinitialspace=True), [])]
@@ -52,4 +56,5 @@ def is_own(text: str) -> bool:
         ]
     except csv.Error:
         return False
-    return "time_s" in names and bool(ANGLES & {*names}) and not are_units(below)
+    own = "time_s" in names and bool(ANGLES & {*names}) and not are_units(below)
+    return own and (bool(RATES & {*names}) or not any(called(name, "gyro") for name in names))

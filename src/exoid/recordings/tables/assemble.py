@@ -90,12 +90,11 @@ def matched(sheet: Sheet, chosen: Mapping[str, str]) -> list[Match]:
     rest = tuple(
         column for column in sheet.columns if all(match.column is not column for match in found)
     )
-    filtered = "angle_rad" in taken and "raw_angle_rad" not in taken
     wanted = {
         "time": "time_s",
         "segment": SEGMENT,
         "angle": "raw_angle_rad",
-        "gyro": "velocity_rad_s" if filtered else "raw_velocity_rad_s",
+        "gyro": "raw_velocity_rad_s",
         "torque": "torque_nm",
     }
     for quantity, target in wanted.items():

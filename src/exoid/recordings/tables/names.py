@@ -17,6 +17,7 @@ NAMES: dict[str, tuple[str, ...]] = {
         r"time|times|t|zeit|temps|tiempo|tempo",
         r"time ?stamps?|elapsed time|time elapsed|zeitstempel|(?:sample |sensor |seconds )?time|"
         r"seconds|secs?|uhrzeit|date ?time|messzeit|sampletimefine",
+        r"ms|us|ns|msec|usec|millis|micros|(?:milli|micro)seconds?",  # a logger's clock
     ),
     "angle": (
         rf"(?:{SIDE} )?knee ?(?:joint )?(?:flex(?:ion)?|extension|angles?)"
@@ -51,14 +52,22 @@ def spoken(name: str) -> set[str]:
     return {words(whole), words(whole.rpartition(".")[2])}
 
 
+def fits(name: str, pattern: str) -> bool:
+    return any(re.fullmatch(pattern, each) for each in spoken(name))
+
+
+def called(name: str, quantity: str) -> bool:
+    """Is that what others call this quantity?"""
+    return any(fits(name, pattern) for pattern in NAMES[quantity])
+
+
 def recognised(columns: tuple[Column, ...], quantity: str) -> list[Column]:
     """The columns that are this quantity by their name, of the surest pattern that fits any."""
     for pattern in NAMES[quantity]:
         found = [
             column
             for column in columns
-            if column.name not in NUMERIC
-            and any(re.fullmatch(pattern, each) for each in spoken(column.name))
+            if column.name not in NUMERIC and fits(column.name, pattern)
         ]
         if found:
             return found

@@ -6,8 +6,9 @@ from exoid.recordings.can.units import UNITS
 
 TIMES = {
     "s": 1.0, "sec": 1.0, "secs": 1.0, "second": 1.0, "seconds": 1.0, "sek": 1.0, "sekunden": 1.0,
-    "ms": 1e-3, "msec": 1e-3, "millisecond": 1e-3, "milliseconds": 1e-3,
-    "us": 1e-6, "µs": 1e-6, "μs": 1e-6, "usec": 1e-6, "microseconds": 1e-6, "ns": 1e-9,
+    "ms": 1e-3, "msec": 1e-3, "millisecond": 1e-3, "milliseconds": 1e-3, "millis": 1e-3,
+    "us": 1e-6, "µs": 1e-6, "μs": 1e-6, "usec": 1e-6, "microsecond": 1e-6,
+    "microseconds": 1e-6, "micros": 1e-6, "ns": 1e-9,
     "min": 60.0, "minutes": 60.0,
 }  # fmt: skip
 DEGREE = UNITS["rad"]["°"]
@@ -54,7 +55,7 @@ def parted(name: str) -> tuple[str, str]:
     for suffix, unit in SUFFIXED.items():
         if name.lower().endswith(suffix) and len(name) > len(suffix):
             return name[: -len(suffix)], unit
-    return name, ""
+    return name, plain(name) if plain(name) in TIMES else ""  # a clock that is called by its unit
 
 
 def size_of(unit: str, si: str) -> float | None:

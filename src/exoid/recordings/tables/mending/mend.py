@@ -7,6 +7,7 @@ import numpy as np
 
 from exoid.files.text_file import Notes
 from exoid.recordings.samples import Samples
+from exoid.recordings.tables.mending.clock_overflow import going_on
 from exoid.recordings.tables.mending.doubled_rows import Cells, Columns, doubled
 from exoid.recordings.tables.mending.full_turns import TURN, turns_left_out
 from exoid.recordings.tables.mending.missing_word import missing_word, named
@@ -37,12 +38,27 @@ def mended(columns: Columns, starts: np.ndarray, *, rig: bool) -> tuple[Columns,
     """
     parts = [slice(*rows) for rows in zip(starts, [*starts[1:], None], strict=True)]
     found, notes = dict(columns), []
-    changes = (with_even_times, without_words, *(() if rig else (with_turns,)))
+    changes = (with_time_going_on, with_even_times, without_words, *(() if rig else (with_turns,)))
     for change in changes:
         more, said = change(found, parts)
         found |= more
         notes += said
     return found, tuple(notes)
+
+
+def with_time_going_on(columns: Columns, parts: list[slice]) -> tuple[Columns, Notes]:
+    """The times, of segments in which the logger's counter was full."""
+    time = np.array(columns["time_s"], dtype=float)
+    full = {}
+    for part in parts:
+        if (found := going_on(time[part])) is not None:
+            time[part], ticks = found
+            full[ticks] = None
+    if not full:
+        return {}, ()
+    return {"time_s": time}, (
+        f"time_s begins again where a counter of 2^32 {' or '.join(full)} is full: it goes on there.",
+    )
 
 
 def with_even_times(columns: Columns, parts: list[slice]) -> tuple[Columns, Notes]:
