@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 from tests.swings import Oscillator
 
 import exoid
@@ -45,6 +46,47 @@ def test_an_encoder_that_passes_its_last_count_goes_on(tmp_path, zero, least):
         np.testing.assert_allclose(angle_of(found, number), ANGLE, atol=1e-3)  # six digits
     if np.ptp(shown) > 180:
         assert any("whole turns are added" in note for note in found.notes)
+
+
+def rig(folder, angle, said="", rate=200.0):
+    """What is loaded of a rig's table of an angle [rad]."""
+    path = folder / "rig.csv"
+    path.with_suffix(".toml").write_text(f'[subject]\nkind = "rig"\n{said}\n')
+    rows = [f"{n / rate:.6g},{each:.6f}" for n, each in enumerate(angle)]
+    path.write_text("\n".join(["time_s,raw_angle_rad", *rows, ""]))
+    return exoid.load(path, whole=True).recording.segments[0].best_angle
+
+
+def pendulum(spin, *, rate=200.0):
+    """The angle [rad] of one on a bench that is pushed where it hangs, at `spin` rad/s, for 9 s."""
+    return solve_ivp(
+        lambda _, now: [now[1], -40.0 * np.cos(now[0]) - 0.3 * now[1]],
+        (0.0, 9.0),
+        [-np.pi / 2, spin],
+        t_eval=np.arange(0.0, 9.0, 1 / rate),
+        rtol=1e-8,
+    ).y[0]
+
+
+@pytest.mark.parametrize("spin", [-11.0, 18.0, 60.0])  # 2 sqrt(40) = 12.6 go over the top
+def test_a_rig_whose_encoder_passes_its_last_count_goes_on(tmp_path, spin):
+    angle = pendulum(spin)
+    shown = (angle + np.pi) % (2 * np.pi) - np.pi
+    found = rig(tmp_path, shown, 'spring = "none"')
+    np.testing.assert_allclose(np.diff(found), np.diff(angle), atol=2e-6)  # six digits
+    assert abs(np.median(found)) < np.pi
+
+
+def test_a_rig_without_a_spring_may_go_round_but_no_swing_is_taken_for_that(tmp_path):
+    round_and_round = pendulum(18.0)
+    assert np.ptp(round_and_round) > 14.0
+    np.testing.assert_allclose(
+        rig(tmp_path, round_and_round, 'spring = "none"'), round_and_round, atol=1e-6
+    )
+    with pytest.raises(ValueError, match='Then say kind = "rig", spring = "none"'):
+        rig(tmp_path, round_and_round)
+    with pytest.raises(ValueError, match="Is it in degrees"):
+        rig(tmp_path, np.degrees(pendulum(3.0)), 'spring = "none"')
 
 
 def test_other_jumps_beside_those_by_a_turn_are_refused_by_name(tmp_path):
@@ -107,7 +149,9 @@ def test_a_clock_that_counts_to_two_to_the_32_goes_on(tick, began):
     full = 2**32 * tick
     shown = TIME + full - 3.0
     shown[shown >= full] -= full
-    time, ticks = going_on(shown - (full - began))
+    found = going_on(shown - (full - began))
+    assert found is not None
+    time, ticks = found
     np.testing.assert_allclose(np.diff(time), STEP, atol=1e-8)  # of times of 50 days
     assert ticks == {1e-6: "microseconds", 1e-3: "milliseconds"}[tick]
 

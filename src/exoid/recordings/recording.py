@@ -12,7 +12,7 @@ import numpy as np
 
 from exoid.files.counted import counted
 from exoid.recordings import summary
-from exoid.recordings.samples import Samples
+from exoid.recordings.samples import Samples, goes_round
 from exoid.recordings.unit_hint import unit_hint
 
 Kind = Literal["passive", "active", "measured"]
@@ -24,6 +24,7 @@ ABSENT = ("none",)  # what a rig can be said to have of gravity or of a spring
 FLIPS = ("angle", "gyro", "all")  # channels whose sign is the other one
 ZEROS = ("extended", "hanging", "unknown")  # what the encoder calls 0
 FILTERS = ("3 states", "4 states")  # of the node: of the motion; and of the gyro's bias
+ROUND = 'Does a rig without a spring go round and round? Then say kind = "rig", spring = "none".'
 KNEE_ANGLE_LIMIT = 3.6  # rad; a knee spans about -2.7 (heel at the thigh) to +0.3
 
 
@@ -237,7 +238,7 @@ class Recording:
         if not self.segments:
             raise ValueError("A recording needs at least one segment, and this one has none.")
         for number, segment in enumerate(self.segments):
-            check_segment(number, segment)
+            check_segment(number, segment, "stiffness" in self.absent)
             if self.subject.kind != "rig":
                 check_knee(number, segment)
         check_metadata(self)
@@ -290,7 +291,7 @@ def per_segment(value, segment: int):
     return None if one != one else one
 
 
-def check_segment(number: int, segment: Segment) -> None:
+def check_segment(number: int, segment: Segment, springless: bool) -> None:
     where = f"segment {number}"
     time = segment.time
     if time.size < 2:
@@ -303,7 +304,7 @@ def check_segment(number: int, segment: Segment) -> None:
         at = int(np.flatnonzero(np.isnan(time))[0])
         raise bad_sample(number, at, f"time_s is missing in {where}, sample {at}. Drop that row.")
     for entry in known(segment):
-        check_channel(number, entry, getattr(segment, entry.name), time.size)
+        check_channel(number, entry, getattr(segment, entry.name), time.size, springless)
     for name, cells in segment.extra_columns.items():
         if len(cells) != time.size:
             raise ValueError(f"{name} in {where} has {len(cells)} cells, but time_s {time.size}.")
@@ -322,8 +323,8 @@ def why_not_later(step: float) -> str:
     """What makes a time not come after the one before, and what to do."""
     if step < 0:
         return (
-            "Did the clock wrap, were rows repeated? Did the logger start again there? Then give the "
-            "rows a column segment: 0 up to there, 1 from there on."
+            "Did the clock wrap, were rows repeated? Did the logger start again there? Then give "
+            "the rows a column segment: 0 up to there, 1 from there on."
         )
     return (
         "Were rows repeated? Then drop them. Were times rounded? Then write them with more digits, "
@@ -331,7 +332,8 @@ def why_not_later(step: float) -> str:
     )
 
 
-def check_channel(number: int, entry, samples: Samples | None, size: int) -> None:
+def check_channel(number: int, entry, samples: Samples | None, size: int, springless: bool) -> None:
+    """Refuses samples that cannot be true; without a spring an angle may go round and round."""
     if samples is None:
         return
     where = f"segment {number}"
@@ -341,10 +343,12 @@ def check_channel(number: int, entry, samples: Samples | None, size: int) -> Non
     if np.isnan(samples).all():
         raise ValueError(f"{name} in {where} holds no number. Leave the column out.")
     bad = np.abs(samples) > upper  # NaN compares false: a missing sample passes
-    if bad.any():
+    angle = name in ("angle_rad", "raw_angle_rad")
+    if bad.any() and not (angle and springless and goes_round(samples)):
         at = int(np.flatnonzero(bad)[0])
         degrees = name.replace("_rad", "_deg")
         hint = f" Is it in degrees? {called(degrees)}" if degrees != name else ""
+        hint += f" {ROUND}" if angle and not springless else ""
         raise bad_sample(
             number,
             at,

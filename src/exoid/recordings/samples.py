@@ -37,3 +37,14 @@ def block_means(samples: Samples, count: int) -> Samples:
     number = known.sum(axis=1)
     total = np.where(known, blocks, 0.0).sum(axis=1)
     return np.divide(total, number, out=np.full(number.size, np.nan), where=number > 0)
+
+
+def goes_round(angle: Samples) -> bool:
+    """Does an angle [rad] turn on and on, and never comes back by a turn? No swing does, nor one in
+    degrees.
+    """
+    known = angle[~np.isnan(angle)]
+    if not np.isfinite(known).all():
+        return False
+    ahead = known * np.sign(known[-1] - known[0])
+    return float((np.maximum.accumulate(ahead) - ahead).max()) < 2 * np.pi

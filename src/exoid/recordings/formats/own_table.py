@@ -21,10 +21,10 @@ from exoid.recordings.defaults import columns_told, keys_told
 from exoid.recordings.flat_table import flat
 from exoid.recordings.formats.delimited import is_own, legible, sheet_of_text
 from exoid.recordings.formats.sheets import TEXTS, read_sheet
-from exoid.recordings.recording import Recording, Subject
+from exoid.recordings.recording import Recording
 from exoid.recordings.sidecar import sidecar_text
 from exoid.recordings.tables.assemble import Named, assemble
-from exoid.recordings.tables.built import build
+from exoid.recordings.tables.built import build, judging
 from exoid.recordings.tables.own_cells import FIRST_LINE, check_names, parse_table
 from exoid.recordings.tables.sheet import Column, Place
 
@@ -60,7 +60,7 @@ def read_table(
     )
     with naming(path):
         named = named_columns(path, chosen, tables["sensors"].sample_rate)
-        built = build(named, Subject(kind=tables["subject"].kind))
+        built = build(named, judging(tables["subject"]))
     with naming(sidecar):  # what fails now, with all samples sound, fails by a key
         recording = built.described(tables | {"extra_tables": extra})
     notes = named.notes + built.notes + late_starts(recording)

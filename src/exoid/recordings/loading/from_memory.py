@@ -19,7 +19,7 @@ from exoid.recordings.sidecar import parse_keys
 from exoid.recordings.splitting.split import cut_table
 from exoid.recordings.tables.arrays import sheet_of_arrays
 from exoid.recordings.tables.assemble import assemble
-from exoid.recordings.tables.built import build
+from exoid.recordings.tables.built import build, judging
 from exoid.recordings.tables.sheet import Place, Sheet
 
 Tables = tuple[Subject | None, Protocol | None, Sensors | None]
@@ -75,7 +75,7 @@ def recording(
         arrays = {own_name(name): each for name, each in channels.items() if name not in chosen}
         sheet = sheet_of({**arrays_of(data), **arrays}, [*arrays])
         named = assemble(sheet, chosen, None if tables[2] is None else tables[2].sample_rate)
-        built = build(named, Subject(kind=None if tables[0] is None else tables[0].kind))
+        built = build(named, judging(tables[0]))
         found, more = understand(
             built.described(given(tables)), cut_table, whole=whole, flip=flip, zero=zero
         )

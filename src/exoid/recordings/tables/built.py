@@ -63,12 +63,19 @@ class Built:
         return replace(self.samples, **tables)
 
 
+def judging(subject: Subject | None) -> Subject:
+    """What of a subject says which samples can be true."""
+    if subject is None or subject.kind != "rig":
+        return Subject(kind=subject and subject.kind)
+    return Subject(kind="rig", spring=subject.spring)
+
+
 def build(named: Named, subject: Subject) -> Built:
     """The samples, checked by the recording's own rules; a bad one is named by its line as well."""
     rows, columns, doubled = without_doubled(named.columns)
     place = replace(named.place, rows=rows)
     starts = segment_starts(columns, place)
-    columns, notes = mended(columns, starts, rig=subject.kind == "rig")
+    columns, notes = mended(columns, starts)
     stops = [*starts[1:], len(columns["time_s"])]
     segments = [cut(columns, slice(*rows)) for rows in zip(starts, stops, strict=True)]
     kept = sound(segments)

@@ -7,6 +7,7 @@ from exoid.recordings.samples import Samples
 
 TURN = 2 * np.pi
 QUICKEST = 20.0  # rad/s; a leg that falls makes 8
+FASTER = 2.0  # times as fast as it is seen elsewhere, which a rig that spins may be at a jump
 LEAST = np.radians(5.0)  # that noise and steps of an encoder make
 AROUND = 0.25  # of a turn: what is left of a jump that is one
 
@@ -21,7 +22,9 @@ def turns_left_out(time: Samples, angle: Samples) -> NDArray[np.float64] | None:
     if not jumps.any() or np.ptp(angle[known]) > (1 + 1e-6) * TURN:
         return None
     moved = np.abs(steps - TURN * jumps)
-    sure = moved < np.minimum(LEAST + QUICKEST * lasted, AROUND * TURN)
+    elsewhere = float(np.max(moved / lasted, where=jumps == 0, initial=0.0))
+    quickest = max(QUICKEST, FASTER * elsewhere)
+    sure = moved < np.minimum(LEAST + quickest * lasted, AROUND * TURN)
     if not sure.all():
         return None
     lacks = np.zeros(angle.size)

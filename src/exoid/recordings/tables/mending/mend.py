@@ -32,14 +32,13 @@ def without_doubled(columns: Columns) -> tuple[tuple[int, ...] | None, Columns, 
     return rows, kept, (note,)
 
 
-def mended(columns: Columns, starts: np.ndarray, *, rig: bool) -> tuple[Columns, Notes]:
+def mended(columns: Columns, starts: np.ndarray) -> tuple[Columns, Notes]:
     """The columns of segments that begin at these rows, with even times in place of rounded ones,
-    empty cells in place of words for them, and whole turns. A `rig` may jump, or turn on.
+    empty cells in place of words for them, and whole turns.
     """
     parts = [slice(*rows) for rows in zip(starts, [*starts[1:], None], strict=True)]
     found, notes = dict(columns), []
-    changes = (with_time_going_on, with_even_times, without_words, *(() if rig else (with_turns,)))
-    for change in changes:
+    for change in (with_time_going_on, with_even_times, without_words, with_turns):
         more, said = change(found, parts)
         found |= more
         notes += said
@@ -52,13 +51,13 @@ def with_time_going_on(columns: Columns, parts: list[slice]) -> tuple[Columns, N
     full = {}
     for part in parts:
         if (found := going_on(time[part])) is not None:
-            time[part], ticks = found
-            full[ticks] = None
+            time[part], counted = found
+            full[counted] = None
     if not full:
         return {}, ()
-    return {"time_s": time}, (
-        f"time_s begins again where a counter of 2^32 {' or '.join(full)} is full: it goes on there.",
-    )
+    ticks = " or ".join(full)
+    note = f"time_s begins again where a counter of 2^32 {ticks} is full: it goes on there."
+    return {"time_s": time}, (note,)
 
 
 def with_even_times(columns: Columns, parts: list[slice]) -> tuple[Columns, Notes]:
