@@ -117,6 +117,17 @@ def test_a_drop_of_another_leg_is_named_in_the_same_words(tmp_path, capsys):
     assert "segment 2 is drawn to rest by" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(("mass", "doubted"), [(150.0, True), (68.0, False)])
+def test_a_body_in_pounds_is_asked_for_and_still_analysed(tmp_path, capsys, mass, doubted):
+    who = Subject(kind="leg", body_mass=mass, height=1.72)
+    write_table(recording(RIGHT, subject=who), tmp_path / "knee.csv")
+    drops([tmp_path / "knee.csv"])
+    found = capsys.readouterr()
+    assert ("knee.csv: the person weighs 150 kg at 1.72 m" in found.err) == doubted
+    assert ("It would be 68 kg if it is in lb." in found.err) == doubted
+    assert "start angle" in found.out
+
+
 # Who it is, and which leg
 
 

@@ -14,6 +14,7 @@ from exoid.physics.anatomy import (
     reach,
     two_segment_inertia,
 )
+from exoid.physics.anatomy.body.doubt import doubts
 
 SUBJECT = (77.0, 1.80)  # the paper's: kg, m
 
@@ -255,3 +256,31 @@ def test_a_shank_in_centimetres_is_refused():
 def test_a_capsule_shorter_than_its_ends_is_refused():
     with pytest.raises(ValueError, match="the length includes both round ends"):
         capsule_inertia(3.85, 0.08, 0.05)
+
+
+@pytest.mark.parametrize(
+    ("body", "said", "impossible"),
+    [
+        (
+            (150.0, 1.72, None),
+            "as hardly anybody does (51 kg/m2). Is that right? It would be 68",
+            0,
+        ),
+        ((11.0, 1.72, None), "as nobody does. Which of them is wrong? It would be 69.9 kg if", 1),
+        ((31.0, 1.65, 40.0), "(11 kg/m2). Is that right?", 0),
+        ((7.7, None, 40.0), "weighs 7.7 kg at 40 years. Is a digit missing?", 1),
+    ],
+)
+def test_a_body_that_hardly_anybody_has_is_doubted_with_the_unit_that_would_mend_it(
+    body, said, impossible
+):
+    (doubt,) = doubts(*body)
+    assert said in doubt.says
+    assert doubt.impossible == bool(impossible)
+
+
+@pytest.mark.parametrize(
+    "body", [(68.0, 1.72, None), (133.0, 1.72, None), (12.1, 1.0, 3.0), (150.0, None, None)]
+)
+def test_a_body_that_some_have_is_not_doubted(body):
+    assert doubts(*body) == ()

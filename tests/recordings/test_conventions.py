@@ -110,6 +110,29 @@ def test_no_leg_is_doubted_for_being_stiff_or_slack_or_on_a_tilted_seat(leg, thi
             assert understood(recording(each, protocol=told))[1] == ()
 
 
+def test_what_was_told_in_vain_is_not_advised_again():
+    straight = changed(legs()["adult"], scaled(ANGLES, 1.0, np.pi))
+    said = 'angle_zero_deg = 180 below .* instead of zero="hanging"\\.'
+    with pytest.raises(ValueError, match=said) as caught:
+        understood(straight, zero="hanging")
+    assert 'zero="extended"' not in str(caught.value)  # it would undo what was told
+    with pytest.raises(ValueError, match=r"angle_zero_deg = 180 .* instead of flip=\"all\" and"):
+        understood(straight, zero="hanging", flip="all")
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        ({"zero": "hanging"}, 'zero="hanging"'),
+        ({"flip": "all"}, 'flip="all"'),
+        ({"flip": "angle"}, 'flip="angle"'),
+    ],
+)
+def test_what_was_told_of_a_file_that_counts_as_exoid_does_is_to_be_left_out(options, told):
+    with pytest.raises(ValueError, match=f"Then leave out {told}\\."):
+        understood(legs()["adult"], **options)
+
+
 def test_a_rig_may_count_as_it_likes():
     rig = Subject(kind="rig")
     for change, _ in (MISTAKES["flexion positive"], MISTAKES["hanging called 0"]):

@@ -340,3 +340,36 @@ def test_any_bytes_are_a_recording_or_one_sentence(tmp_path_factory, content):
     with pytest.raises(ValueError, match="leg") as caught:
         load(path)
     assert "\n" not in str(caught.value)
+
+
+LABVIEW = "LabVIEW Measurement\t\nSeparator\tTab\n***End_of_Header***\t\n\nChannels\t1\t\n"
+
+
+@pytest.mark.parametrize("decimal", [".", ","])
+@pytest.mark.parametrize("name", ["leg.txt", "leg.lvm"])
+@pytest.mark.parametrize("ends", ["", "\t"])
+@pytest.mark.parametrize("remark", ["", "\tlet go"])
+def test_labviews_time_is_known_and_its_comments_may_be_left_out(
+    write, decimal, name, ends, remark
+):
+    first, *rows = lines((TIME, ANGLE), "\t", decimal)
+    rows = [f"{first}{remark or ends}", *(f"{row}{ends}" for row in rows)]
+    _, said = check(write("\n".join([f"{LABVIEW}X_Value\tKnee Angle\tComment", *rows]), name))
+    assert "X_Value as time_s (in s)" in said
+    assert "not read: Comment" in said
+
+
+def test_x_value_of_any_other_program_is_no_time(write):
+    rows = ["X_Value\tKnee Angle", *lines((TIME, ANGLE), "\t")]
+    with pytest.raises(ValueError, match="has no time"):
+        load(write("\n".join(rows), "leg.txt"))
+
+
+def test_a_separator_at_the_end_of_the_names_alone_is_no_column(write):
+    check(write("\n".join(["Time (s),Knee Angle (deg),", *lines((TIME, ANGLE))])))
+
+
+def test_a_name_without_cells_that_may_be_any_column_is_refused(write):
+    rows = ["Frame,Time (s),Knee Angle (deg)", *lines((TIME, ANGLE))]
+    with pytest.raises(ValueError, match="have 2 cells, but 3 names"):
+        load(write("\n".join(rows)))

@@ -74,6 +74,7 @@ ANGLE = np.linspace(-0.1, -1.5, 5)
     [
         (Segment(changed(TIME, 3, 0.02), angle=ANGLE), 3, "time_s must increase"),
         (Segment(changed(TIME, 3, 0.001), angle=ANGLE), 3, "Did the clock wrap"),
+        (Segment(changed(TIME, 3, 0.0), angle=ANGLE), 3, "give each a file of its own"),
         (Segment(changed(TIME, 2, np.nan), angle=ANGLE), 2, "time_s is missing"),
         (Segment(TIME, angle=changed(ANGLE, 4, np.inf)), 4, r"is inf rad, beyond \+-14"),
         (Segment(TIME, angle=changed(ANGLE, 1, -90.0)), 1, "Is it in degrees"),

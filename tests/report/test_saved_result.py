@@ -17,6 +17,7 @@ from exoid.report.saved.saved_result import SavedResult, load_result, save_resul
 from exoid.report.tables.compare import ComparedQuantity, compare
 from exoid.report.tables.comparison import comparison_document, print_comparison
 from exoid.report.tables.fit import print_fit
+from exoid.report.tables.same_leg import strangers
 from exoid.trust.identifiability import Direction, Identifiability, Reversal
 
 SOURCES = [{"path": "é leg.csv", "sha256": "00ff" * 16, "segments": 2, "sidecar_sha256": None}]
@@ -318,6 +319,28 @@ def test_one_leg_is_what_both_sidecars_call_so(first, second, same, sides):
         for side, subject in zip(sides, (first, second), strict=True)
     ]
     assert compare(*each).quantities[0].one_leg == same
+
+
+@pytest.mark.parametrize(
+    ("second", "said"),
+    [
+        ({"id": "P1", "side": "right"}, "of different legs: left, against right."),
+        ({"id": "P2", "side": "left"}, "of different people: P1, against P2."),
+        ({"id": "P1", "side": "left"}, "They do not look like one leg, or it changed"),
+        ({"id": "P1", "side": None}, "They do not look like one leg, or it changed"),
+    ],
+)
+def test_legs_that_are_told_to_be_two_are_not_found_to_be(second, said, sides):
+    ratio = sides[1].result.ratios["damping_over_inertia"]
+    ratios = {**sides[1].result.ratios, "damping_over_inertia": replace(ratio, value=9.0)}
+    changed = [sides[0], replace(sides[1], result=replace(sides[1].result, ratios=ratios))]
+    subjects = {"id": "P1", "side": "left"}, second
+    each = [
+        replace(one, recordings=[{**one.recordings[0], "subject": subject}])
+        for one, subject in zip(changed, subjects, strict=True)
+    ]
+    (sentence,) = strangers(compare(*each), each)
+    assert said in sentence
 
 
 def test_a_comparison_names_the_settings_that_differ_and_no_other(sides):

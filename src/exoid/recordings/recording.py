@@ -315,17 +315,20 @@ def check_segment(number: int, segment: Segment, springless: bool) -> None:
             number,
             at + 1,
             f"time_s must increase, but in {where} sample {at + 1} ({time[at + 1]:.6f} s) does not "
-            f"come after sample {at} ({time[at]:.6f} s). {why_not_later(float(steps[at]))}",
+            f"come after sample {at} ({time[at]:.6f} s). {why_not_later(time, at)}",
         )
 
 
-def why_not_later(step: float) -> str:
-    """What makes a time not come after the one before, and what to do."""
-    if step < 0:
+def why_not_later(time: Samples, at: int) -> str:
+    """What makes the time after this sample not come after it, and what to do."""
+    if time[at + 1] <= time[: at + 1].min():
         return (
-            "Did the clock wrap, were rows repeated? Did the logger start again there? Then give "
-            "the rows a column segment: 0 up to there, 1 from there on."
+            "Does a new recording begin there, as after a pause? Then give each a file of its own "
+            "and analyse the files together; or, where each is one drop or cycle, number them in a "
+            "column segment: 0, 1, ... Else: did the clock wrap, were rows repeated?"
         )
+    if time[at + 1] < time[at]:
+        return "Did the clock wrap, were rows repeated?"
     return (
         "Were rows repeated? Then drop them. Were times rounded? Then write them with more digits, "
         "or leave the column out and give sample_rate_hz in [sensors]."

@@ -1,6 +1,7 @@
 """The body, as options and answers on a terminal say it."""
 
 import sys
+from collections.abc import Mapping
 from typing import Annotated
 
 import typer
@@ -30,19 +31,32 @@ def given_body(**options: float | None) -> dict[str, float]:
     return wanted
 
 
+def doubted(body: Mapping[str, float | None]) -> list[str]:
+    """What to ask of a body that hardly anybody has."""
+    from exoid.physics.anatomy.body.doubt import doubts
+
+    each = doubts(body.get("body_mass"), body.get("height"), body.get("age"))
+    return [f"the person {one.says}" for one in each]
+
+
 def ask_body(given: dict[str, float]) -> dict[str, float]:
     """What was given, and what is answered; an empty answer leaves it unknown.
 
     Without a terminal nothing is asked.
     """
-    if not (sys.stdin.isatty() and sys.stderr.isatty()):
-        return given
     known = dict(given)
-    for name, question in QUESTIONS.items():
+    for name, question in QUESTIONS.items() if at_terminal() else ():
         needless = name == "added_mass_distance" and not known.get("added_mass")
         if name not in known and not needless:
             known |= answer(name, question)
+    for says in doubted(known):
+        say(f"exoid: {says}", err=True)
     return known
+
+
+def at_terminal() -> bool:
+    """Is there somebody who can be asked?"""
+    return sys.stdin.isatty() and sys.stderr.isatty()
 
 
 def answer(name: str, question: str) -> dict[str, float]:

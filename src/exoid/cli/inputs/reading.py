@@ -1,11 +1,13 @@
 """Recordings as the commands read them, with what their readers noticed."""
 
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from exoid.cli.inputs.body import doubted
 from exoid.cli.inputs.choices import Flip, Zero
 from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
@@ -34,12 +36,16 @@ def take_all(paths: list[Path], body: dict, protocol: dict | None = None, **opti
     """Recordings of one leg by their files' names, with what was said of its body and its protocol;
     and what their readers noticed. `options` are those of `take`.
     """
-    taken = [take(path, **options) for path in paths]
-    named = []
-    for path, each in zip(paths, (loaded.recording for loaded in taken), strict=True):
-        subject = replace(each.subject, **body)
-        protocol_told = replace(each.protocol, **(protocol or {}))
-        named.append((visible(path.name), replace(each, subject=subject, protocol=protocol_told)))
+    named, taken = [], []
+    for path in paths:
+        loaded = take(path, **options)
+        subject = replace(loaded.recording.subject, **body)
+        protocol_told = replace(loaded.recording.protocol, **(protocol or {}))
+        recording = replace(loaded.recording, subject=subject, protocol=protocol_told)
+        notes = [f"{visible(path.name)}: {says}" for says in doubted(vars(subject))]
+        tell(notes)
+        named.append((visible(path.name), recording))
+        taken.append(replace(loaded, notes=(*loaded.notes, *notes)))
     return named, taken
 
 
@@ -60,9 +66,16 @@ def take(
     options["columns"] = pairs("--column", column, 'COLUMN="NAME IN THE FILE"')
     loaded = patiently(lambda: load(path, **options), f"reading {path.name}")
     noticed = loaded.quality.lines() if loaded.quality is not None else []
-    for line in (*(f"exoid: {note}" for note in loaded.notes), *noticed):
+    tell(loaded.notes)
+    for line in noticed:
         say(line, err=True)
     return loaded
+
+
+def tell(notes: Iterable[str]) -> None:
+    """What the owner of a recording should know, on stderr."""
+    for note in notes:
+        say(f"exoid: {note}", err=True)
 
 
 def as_told(flip: Flip | None, zero: Zero | None) -> dict[str, str]:

@@ -5,7 +5,8 @@ from dataclasses import dataclass, fields, replace
 from itertools import pairwise
 from pathlib import Path
 
-from exoid.cli.inputs.reading import take
+from exoid.cli.inputs.body import doubted
+from exoid.cli.inputs.reading import take, tell
 from exoid.cli.live.replay import of_log, of_recording
 from exoid.cli.terminal.say import say
 from exoid.online.model.model import Node
@@ -45,6 +46,7 @@ def open_recording(path: Path, body: dict[str, float], node: int | None, **readi
     loaded = take(path, whole=True, **reading)
     recording = replace(loaded.recording, subject=told_of(loaded.recording.subject, body))
     check_subject(recording.subject)
+    tell(f"{path.name}: {says}" for says in doubted(vars(recording.subject)))
     mended = any(reading.get(name) for name in ("dbc", "flip", "zero")) or is_mended(path)
     of_node = path.suffix.lower() in FORMATS and loaded.quality is not None and not mended
     rate = loaded.quality.clock_rate if of_node and loaded.quality is not None else None

@@ -12,7 +12,8 @@ import numpy as np
 from exoid.recordings.conventions.balance import Balance, balance
 from exoid.recordings.conventions.file_clock import measured
 from exoid.recordings.conventions.gyro_agreement import agreement
-from exoid.recordings.recording import Recording
+from exoid.recordings.conventions.mounting import counting
+from exoid.recordings.recording import Recording, Sensors
 from exoid.recordings.signal.condition import SMOOTHING, classify
 from exoid.recordings.signal.local_line import local_line
 
@@ -28,7 +29,8 @@ EXPLAINED = 0.6  # of the acceleration, from where on a balance is one
 SHARP = 0.3  # rad, the error of a balance that tells something
 TYPICAL = -1.3  # rad, where a leg is in balance
 ALIKE = 0.2  # rad, within which two ways of counting make a leg of it equally well
-READINGS = (  # how else a file may count: the sign, what is added to make it exoid's, its name
+READINGS = (  # how a file may count: the sign, what is added to make it exoid's, its name
+    (1.0, 0.0, "0 the extended knee and extension positive", "plain"),
     (-1.0, 0.0, "flexion positive", "flip"),
     (1.0, -np.pi / 2, "0 the hanging leg", "hanging"),
     (-1.0, -np.pi / 2, "0 the hanging leg and flexion positive", "both"),
@@ -100,10 +102,11 @@ def swing(recording: Recording, number: int, *, cut: bool) -> Swing | None:
     return Swing(float(smooth.max()), float(smooth.min()), passive, found if told else None, thigh)
 
 
-def wrong_convention(recording: Recording, *, cut: bool) -> str | None:
+def wrong_convention(recording: Recording, told: Sensors, *, cut: bool) -> str | None:
     """What to say of an angle that counts otherwise, and which option mends it.
 
-    `cut`: the segments are single movements, without the hands between them.
+    `told`: the sign and the zero by which the recording was turned. `cut`: the segments are single
+    movements, without the hands between them.
     """
     if recording.subject.kind == "rig" or recording.sensors.zero is not None:
         return None  # of a rig anything goes; a zero that is declared is believed, or sought later
@@ -118,8 +121,21 @@ def wrong_convention(recording: Recording, *, cut: bool) -> str | None:
     first = min(wrong)
     where = "" if len(wrong) == len(each) else f"segment {first}: "
     rig = "" if recording.subject.kind else ' Of a rig, say [subject] kind = "rig".'
-    mend = mended(list(wrong.values()), same_sense(recording))
-    return f'{where}{described(wrong[first])}. {mend} If 0 is right, say zero="extended".{rig}'
+    sign, shift = counting(told)
+    as_read = [one.counted(sign, -sign * shift) for one in wrong.values()]
+    one_sense = same_sense(recording) != (told.flip in ("angle", "gyro"))
+    mend = mended(as_read, one_sense, answers(told))
+    right = "" if shift else ' If 0 is right, say zero="extended".'
+    return f"{where}{described(wrong[first])}. {mend}{right}{rig}"
+
+
+def answers(told: Sensors) -> str:
+    """What was told of the angle's sign and zero, in the words in which it is told."""
+    said = [f'flip="{told.flip}"'] if told.flip in ("angle", "all") else []
+    said += ['zero="hanging"'] if told.zero == "hanging" else []
+    zero = told.angle_zero
+    said += [] if zero is None else [f"angle_zero_deg = {np.degrees(zero):.4g} in [sensors]"]
+    return " and ".join(said)
 
 
 def described(found: Swing) -> str:
@@ -132,16 +148,20 @@ def described(found: Swing) -> str:
     )
 
 
-def mended(wrong: list[Swing], same: bool) -> str:
-    """The other way of counting in which the leg is most like a leg, and how to tell of it."""
+def mended(wrong: list[Swing], same: bool, told: str) -> str:
+    """The way of counting in which the leg is most like a leg, and how to tell of it in place of
+    what was `told`; the swings are as the file counts.
+    """
     flip = "all" if same else "angle"
     options = {
+        "plain": f"leave out {told}",
         "flip": f'say flip="{flip}"',
         "hanging": 'say zero="hanging", or zero="unknown" where the leg\'s own rest was called 0, '
         "or angle_zero_deg in [sensors] of the sidecar, which is what an encoder that passes 0 or "
         "360 deg shows with the knee extended",
         "both": f'say flip="{flip}" and zero="hanging"',
-        "straight": "say angle_zero_deg = 180 in [sensors] of the sidecar",
+        "straight": "write angle_zero_deg = 180 below [sensors] in the sidecar, the .toml of the "
+        "same name beside it (no option says it)",
     }
     found = {
         reading: [one.counted(*reading[:2]) for one in wrong]
@@ -153,7 +173,9 @@ def mended(wrong: list[Swing], same: bool) -> str:
     strange = {each: sum(one.strange for one in found[each]) / len(wrong) for each in found}
     best = [each for each in found if strange[each] < min(strange.values()) + ALIKE]
     names = ", or ".join(name for *_, name, _ in best)
-    return f"Is {names} in this file? Then {', or '.join(options[each[3]] for each in best)}."
+    instead = f", instead of {told}" if told and best[0][3] != "plain" else ""
+    mends = ", or ".join(options[each[3]] for each in best)
+    return f"Is {names} in this file? Then {mends}{instead}."
 
 
 def same_sense(recording: Recording) -> bool:

@@ -25,7 +25,7 @@ from exoid.recordings.conventions.left_out.lost_samples import without_lost_samp
 from exoid.recordings.conventions.mounting import settled, turned
 from exoid.recordings.conventions.other_leg import another_leg
 from exoid.recordings.conventions.thin import thinned
-from exoid.recordings.recording import Recording
+from exoid.recordings.recording import Recording, Sensors
 from exoid.recordings.splitting.split import Split
 
 TINY = np.pi * np.pi / 180  # rad, what an angle of pi becomes where radians were called degrees
@@ -51,7 +51,9 @@ def understand(
     recording, held = (recording, ()) if whole else without_held(recording)
     recording, drawn = (recording, ()) if whole else without_interpolated(recording)
     recording, batched = (recording, ()) if whole else unbatched(recording)
-    recording, notes = turned(told(recording, flip, zero))
+    recording = told(recording, flip, zero)
+    sensors = recording.sensors
+    recording, notes = turned(recording)
     refuse(tiny(recording) or dead_gyro(recording) or wrong_unit(recording))
     notes = (*unlike_rate(recording), *held, *drawn, *batched, *notes)
     if not whole:
@@ -59,21 +61,25 @@ def understand(
         recording, saturated = without_saturated(recording)
         recording, averaged = thinned(recording)
         notes = (*notes, *lost, *saturated, *averaged)
-    found = cut_up(recording, cut, whole=whole)
+    found = cut_up(recording, sensors, cut, whole=whole)
     movements = found.recording
-    refuse(wrong_convention(movements, cut=movements is not recording or not whole))
+    refuse(wrong_convention(movements, sensors, cut=movements is not recording or not whole))
     refuse(wrong_sign(recording))
     noticed = () if whole else (*found.notes, *another_leg(movements))
     recording, more = settled(recording if whole else movements, movements)
     return recording, (*notes, *more, *noticed)
 
 
-def cut_up(recording: Recording, cut: Callable[[Recording], Split], *, whole: bool) -> Split:
-    """Its movements. Where there are none, the angle may count so that none is seen."""
+def cut_up(
+    recording: Recording, sensors: Sensors, cut: Callable[[Recording], Split], *, whole: bool
+) -> Split:
+    """Its movements. Where there are none, the angle may count so that none is seen, as it was
+    turned by what `sensors` tell.
+    """
     try:
         return cut(recording)
     except ValueError:
-        refuse(wrong_convention(recording, cut=False))
+        refuse(wrong_convention(recording, sensors, cut=False))
         if whole:
             return Split(recording, ())
         raise

@@ -12,7 +12,7 @@ from exoid.recordings.conventions.balance import balance
 from exoid.recordings.landmarks.find_landmarks import find_landmarks
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import track_of
-from exoid.recordings.recording import Recording, Segment
+from exoid.recordings.recording import Recording, Segment, Sensors
 from exoid.recordings.signal.clean import clean
 from exoid.recordings.signal.condition import classify
 
@@ -39,8 +39,7 @@ def turned(recording: Recording) -> tuple[Recording, Notes]:
     if told.flip is None and told.zero in (None, "extended") and told.angle_zero is None:
         return recording, ()
     turned = FLIPPED.get(told.flip or "", ())
-    sign = -1.0 if "angle" in turned else 1.0
-    shift = HANGING if told.zero == "hanging" else -sign * (told.angle_zero or 0.0)
+    sign, shift = counting(told)
     if told.angle_zero is not None and recording.subject.kind != "rig":
         shift -= whole_turns(recording, sign, shift)
     segments = tuple(mended(each, turned, shift) for each in recording.segments)
@@ -49,6 +48,12 @@ def turned(recording: Recording) -> tuple[Recording, Notes]:
     notes = [f"the sign of {named(turned)} is changed, as told."] if turned else []
     notes += [f"the angle is shifted by {np.degrees(shift):+.4g} deg, as told."] if shift else []
     return replace(recording, segments=segments, sensors=sensors), tuple(notes)
+
+
+def counting(told: Sensors) -> tuple[float, float]:
+    """Sign, and what is then added [rad], that make exoid's angle of that of a file."""
+    sign = -1.0 if "angle" in FLIPPED.get(told.flip or "", ()) else 1.0
+    return sign, HANGING if told.zero == "hanging" else -sign * (told.angle_zero or 0.0)
 
 
 def whole_turns(recording: Recording, sign: float, shift: float) -> float:

@@ -1,6 +1,7 @@
 """Text tables as spreadsheets, labs and motion capture write them, in whatever dialect."""
 
 import csv
+from dataclasses import replace
 from pathlib import Path
 
 from exoid.files.text_file import content_of, plain_lines, read_text
@@ -9,6 +10,7 @@ from exoid.recordings.tables.layout import are_units, sheet_of_rows
 from exoid.recordings.tables.names import called
 from exoid.recordings.tables.sheet import Place, Sheet
 
+LABVIEW, LABVIEW_TIME = "LabVIEW Measurement", "X_Value"  # first line; its name of the time [s]
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 ANGLES = {"angle_rad", "raw_angle_rad", "angle_deg", "raw_angle_deg"}
 RATES = {"velocity_rad_s", "raw_velocity_rad_s", "velocity_deg_s", "raw_velocity_deg_s"}
@@ -22,7 +24,8 @@ def read_delimited(path: Path) -> Sheet:
 def sheet_of_text(text: str) -> Sheet:
     if not text.strip():
         raise ValueError("line 1 is empty; it must name the columns, time_s and angle_rad first.")
-    return sheet_of_rows(rows_of(text), Place("line", 1))
+    sheet = sheet_of_rows(rows_of(text), Place("line", 1))
+    return replace(sheet, time=LABVIEW_TIME) if text.startswith(LABVIEW) else sheet
 
 
 def legible(path: Path) -> str:

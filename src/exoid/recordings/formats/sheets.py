@@ -11,7 +11,7 @@ from exoid.files.foreign import ForeignError
 from exoid.files.library_faults import is_ours
 from exoid.recordings.tables.sheet import Sheet
 
-TEXTS = (".csv", ".tsv", ".txt", ".dat")
+TEXTS = (".csv", ".tsv", ".txt", ".dat", ".lvm")
 # Suffix: the module of its reader, what such a file is called, and the package that it needs.
 READERS: dict[str, tuple[str, str | None, str | None]] = {
     **dict.fromkeys(TEXTS, ("delimited", None, None)),

@@ -100,7 +100,10 @@ def matched(sheet: Sheet, chosen: Mapping[str, str]) -> list[Match]:
     for quantity, target in wanted.items():
         if target in taken or (quantity == "angle" and taken & {*ANGLES}):
             continue
-        column = only(sheet, quantity, recognised(rest, quantity))
+        likely = recognised(rest, quantity)
+        if quantity == "time" and not likely:
+            likely = [column for column in rest if column.name == sheet.time]
+        column = only(sheet, quantity, likely)
         if column is not None:
             found.append(Match(column, target, 1.0 if target == SEGMENT else None, guessed=True))
     return found

@@ -19,6 +19,7 @@ Row = list[Cell]
 NO_TABLE = "holds no table of numbers. Export it with names, then one row a sample."
 AXES = ("X", "Y", "Z", "x", "y", "z")
 COMMENT = ("#", "%")
+REMARKS = ("comment", "comments", "remark", "remarks", "kommentar", "bemerkung", "commentaire")
 PROBED = 25  # rows to either side of the middle, which say what is a sample
 
 
@@ -48,6 +49,7 @@ def sheet_of_rows(rows: list[Row], place: Place) -> Sheet:
 
     **Raises** `ValueError` where there is none, or where a row of it has cells too many or too few.
     """
+    rows = filled_up(rows)
     layout = find_layout(rows)
     block = rows[layout.first : layout.end]
     check_widths(block, len(layout.numeric), place, layout.first)
@@ -67,6 +69,24 @@ def sheet_of_rows(rows: list[Row], place: Place) -> Sheet:
         if row is not None
     ]
     return Sheet(tuple(columns), where, notes=(*odd, *remains(rows, layout, place)))
+
+
+def filled_up(rows: list[Row]) -> list[Row]:
+    """With an empty cell at the end of those rows that stop before a last column of remarks, as
+    LabVIEW leaves it out of rows without one, or before a separator at the end of the names.
+    """
+    header = next((at for at, row in enumerate(rows) if ends_in_remarks(row)), len(rows))
+    return [
+        [*row, np.nan] if at > header and len(row) == len(rows[header]) - 1 else row
+        for at, row in enumerate(rows)
+    ]
+
+
+def ends_in_remarks(row: Row) -> bool:
+    """Are these names, the last of which stands above no numbers?"""
+    *names, last = row or [np.nan]
+    idle = is_missing(last) or (isinstance(last, str) and plain(last) in REMARKS)
+    return idle and len(names) > 1 and all(isinstance(name, str) for name in names)
 
 
 def odd_rows(samples: list[tuple[Cell, ...]]) -> list[int | None]:

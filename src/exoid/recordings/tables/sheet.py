@@ -50,6 +50,7 @@ class Sheet:
     place: Place = Place()
     rate: float | None = None  # Hz, where the file says it apart from its columns
     notes: Notes = ()
+    time: str = ""  # what its program calls the time, where that sounds like none
     ask: str = 'columns={{"{}": "..."}}'  # how its owner names a column
 
     @property

@@ -1,5 +1,7 @@
 """Do two saved results look like one leg?"""
 
+from collections.abc import Callable
+
 from exoid.report.saved.saved_result import SavedResult
 from exoid.report.tables.compare import ComparedQuantity, Comparison
 from exoid.trust.legs import COMMON, LARGE, SURPRISE
@@ -11,11 +13,10 @@ def strangers(found: Comparison, sides: list[SavedResult]) -> list[str]:
     """Sentences on what tells that they are not; none of one recording that was analysed twice."""
     if found.same_recordings:
         return []
-    said = []
-    for what, of in (("people", names), ("bodies", bodies)):
-        one, other = (" and ".join(of(side)) for side in sides)
-        if one and other and one != other:
-            said.append(f"The recordings are of different {what}: {one}, against {other}.")
+    told = [*differing("people", names, sides), *differing("legs", legs, sides)]
+    said = [*told, *differing("bodies", bodies, sides)]
+    if told:  # legs that are known to be two may differ
+        return said
     apart = [each for each in found.quantities if each.name in COMMON and far_apart(each)]
     if apart:
         worst = max(apart, key=lambda each: abs(each.standard_errors or 0.0))
@@ -25,6 +26,16 @@ def strangers(found: Comparison, sides: list[SavedResult]) -> list[str]:
             f"{worst.unit}, {how_far(abs(worst.standard_errors or 0.0))}."
         )
     return said
+
+
+def differing(
+    what: str, of: Callable[[SavedResult], list[str]], sides: list[SavedResult]
+) -> list[str]:
+    """That the sidecars tell of two, where both tell."""
+    one, other = (" and ".join(of(side)) for side in sides)
+    if not (one and other) or one == other:
+        return []
+    return [f"The recordings are of different {what}: {one}, against {other}."]
 
 
 def how_far(errors: float) -> str:
@@ -37,6 +48,12 @@ def how_far(errors: float) -> str:
 def names(saved: SavedResult) -> list[str]:
     """Everybody that was recorded, by the id of the sidecar."""
     each = [(one.get("subject") or {}).get("id") for one in saved.recordings]
+    return list(dict.fromkeys(str(one) for one in each if one))
+
+
+def legs(saved: SavedResult) -> list[str]:
+    """The legs that were recorded, by the side of the sidecar."""
+    each = [(one.get("subject") or {}).get("side") for one in saved.recordings]
     return list(dict.fromkeys(str(one) for one in each if one))
 
 

@@ -9,6 +9,7 @@ from types import MappingProxyType
 
 from exoid.files.text_file import naming, read_text
 from exoid.files.visible import visible
+from exoid.physics.anatomy.body.doubt import POUND
 from exoid.studies.dataset.entry import Participant, Said
 from exoid.studies.dataset.tables.cells import Row, rows_of
 
@@ -20,7 +21,7 @@ CODE = re.compile(r"0\d+")  # 007 is a name
 
 
 # What columns call a quantity, and the sizes of its units; the first stands unless one is said.
-KILOGRAMS = {"kg": 1.0, "g": 1e-3, "lb": 0.45359237, "lbs": 0.45359237}
+KILOGRAMS = {"kg": 1.0, "g": 1e-3, "lb": POUND, "lbs": POUND}
 METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254, "inch": 0.0254}
 YEARS = {"years": 1.0, "year": 1.0, "yr": 1.0, "y": 1.0, "months": 1 / 12, "month": 1 / 12}
 QUANTITIES = {

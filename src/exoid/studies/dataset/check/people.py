@@ -4,20 +4,13 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 
+from exoid.physics.anatomy.body.doubt import doubts
 from exoid.recordings.recording import Subject, known
 from exoid.recordings.unit_hint import unit_hint
 from exoid.studies.dataset.check.finding import Finding, Findings, error, warning
 from exoid.studies.dataset.check.looked import Looked
 from exoid.studies.dataset.entry import Dataset, Participant
-from exoid.studies.dataset.participants import KILOGRAMS
 
-GROWN = 16.0  # years
-LEAST = 30.0  # kg, of a grown person
-INFANT = 8.0  # kg; who weighs less cannot sit on the edge of a seat
-BUILDS = (9.0, 80.0)  # kg/m2, body mass over height squared: from starved to the heaviest
-PLAUSIBLE = (16.0, 40.0)  # kg/m2, of most people
-USUAL = (12.0, 45.0)  # kg/m2, of grown people, but for some in a thousand
-UNITS = {"lb": KILOGRAMS["lb"], "st": 6.35029318}  # kg, in which people are weighed elsewhere
 RANGES: Mapping[str, Mapping] = {entry.name: entry.metadata for entry in known(Subject)}
 
 
@@ -69,29 +62,11 @@ def sizes(person: Participant) -> Findings:
 
 
 def builds(person: Participant) -> Findings:
-    mass, height, age = person.body_mass, person.height, person.age
-    if mass is not None and height is not None:
-        build = mass / height**2
-        says, hint = f"weighs {mass:g} kg at {height:g} m, as", likely_unit(mass, height)
-        if not BUILDS[0] <= build <= BUILDS[1]:
-            says = f"{says} nobody does. Which of them is wrong?{hint}"
+    for says, impossible in doubts(person.body_mass, person.height, person.age):
+        if impossible:
             yield error("impossible size", person.id, says)
-            return
-        if (age is None or age >= GROWN) and not USUAL[0] <= build <= USUAL[1]:
-            says = f"{says} hardly anybody does ({build:.0f} kg/m2). Is that right?{hint}"
+        else:
             yield warning("unusual size", person.id, says)
-    if mass is not None and (mass < INFANT or (mass < LEAST and (age or 0.0) >= GROWN)):
-        years = f" at {age:g} years" if age is not None else ""
-        says = f"weighs {mass:g} kg{years}. Is a digit missing?"
-        yield error("impossible size", person.id, says)
-
-
-def likely_unit(mass: float, height: float) -> str:
-    """The unit in which the body mass would be that of most people."""
-    for unit, size in UNITS.items():
-        if PLAUSIBLE[0] <= mass * size / height**2 <= PLAUSIBLE[1]:
-            return f" It would be {mass * size:.3g} kg if it is in {unit}."
-    return ""
 
 
 def near(ids: Iterable[str]) -> Findings:
