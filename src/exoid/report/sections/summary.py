@@ -19,6 +19,7 @@ from exoid.report.tables.table import Column, Table
 from exoid.report.words.astray import astray
 from exoid.report.words.diagnosis import cause, certainty
 from exoid.report.words.diagnosis.asserted import only_sensors
+from exoid.report.words.diagnosis.usual import only_usual
 from exoid.report.words.diagnosis.verdict import verdict
 from exoid.report.words.text import capital, in_degrees, in_words
 
@@ -152,7 +153,8 @@ def missing(found: Diagnosis) -> Group:
             f"{in_degrees(before)} deg."
         )
     effects = [*cause.named(found), *certainty.alike(found), *certainty.others(found)]
-    return card(question, "care", answer, f"{sentence('; '.join(effects))} {proof}".strip())
+    state: State = "good" if only_usual(found) else "care"
+    return card(question, state, answer, f"{sentence('; '.join(effects))} {proof}".strip())
 
 
 def numbers(case: Case) -> Group:

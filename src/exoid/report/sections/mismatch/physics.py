@@ -21,6 +21,7 @@ from exoid.report.words.text import in_words
 
 SAID = (
     "Missing",
+    "Found",
     "How sure",
     "Changed",
     "Remains",

@@ -1,6 +1,7 @@
 """What an answer asserts, and what it does not."""
 
 from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
+from exoid.report.words.diagnosis.usual import only_usual
 
 
 def only_sensors(found: Diagnosis) -> bool:
@@ -15,4 +16,4 @@ def is_chosen(one: Tested, found: Diagnosis) -> bool:
 
 def parted(found: Diagnosis) -> bool:
     """Is a torque missing, so that there are places where it is?"""
-    return found.verdict != "none" and not only_sensors(found)
+    return not (found.verdict == "none" or only_sensors(found) or only_usual(found))

@@ -5,6 +5,7 @@ from math import degrees
 
 from exoid.fitting.model.term_parameters import RATIO_UNITS, parameters_of
 from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.result.limiting_systematics import WORDS, chief
 from exoid.mismatch.answer.diagnosis import Diagnosis, NovelTorque, Parameter
 from exoid.mismatch.answer.over_inertia import guessed, parameters_shown
 from exoid.mismatch.sensors.agreement import SensorError
@@ -12,6 +13,7 @@ from exoid.physics.library import library
 from exoid.physics.parameter import AT_AN_END
 from exoid.report.words.text import DIMENSIONLESS, with_error
 
+MOSTLY = 0.5  # of a variance
 WHOLE = 0.8  # of a torque's variance, below which a formula is no more than a part of it
 ORIGINS = {  # of an inertia that the motion does not tell alone
     "prior": "which the prior sets: torques grow with it",
@@ -28,8 +30,21 @@ def named(found: Diagnosis) -> list[str]:
     for one in found.findings:
         each = [each for each in found.parameters if each.name.startswith(f"{one.name}.")]
         own = parameters_shown(found, each)
-        lines.append(f"{one.title}, {', '.join(map(parameter, own))}{scale(found, own)}")
+        said = ", ".join(f"{parameter(one)}{limited(found, one)}" for one in own)
+        lines.append(f"{one.title}, {said}{scale(found, own)}")
     return lines
+
+
+def limited(found: Diagnosis, each: Parameter) -> str:
+    """Which systematic makes most of the error of a sensor's parameter, which is told of the
+    sensors by themselves as well.
+    """
+    known = {} if found.after is None else found.after.of_terms
+    twice = each.name.partition(".")[0] in {one.name for one in found.sensors}
+    most = chief(known[each.name]) if twice and each.name in known else None
+    if most is None or most[0] not in WORDS or most[1] < MOSTLY:
+        return ""
+    return f" (± mostly by {WORDS[most[0]]})"
 
 
 def in_formula(found: Diagnosis, own: NovelTorque) -> str:

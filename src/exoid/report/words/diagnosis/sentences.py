@@ -9,6 +9,7 @@ from exoid.report.words.diagnosis.certainty import alike, how_sure, suspected, t
 from exoid.report.words.diagnosis.leg import booked, doubted
 from exoid.report.words.diagnosis.located import located
 from exoid.report.words.diagnosis.remainder import remains
+from exoid.report.words.diagnosis.usual import only_usual, reason
 
 BY_SENSORS = "encoder and gyro show it of each other, without any leg model."
 
@@ -19,11 +20,12 @@ def sentences(found: Diagnosis) -> dict[str, str]:
     """
     lines = {}
     if found.verdict == "mismatch":
-        lines["Missing"] = "; ".join([*named(found), *alike(found)])
+        usual = only_usual(found)
+        lines["Found" if usual else "Missing"] = "; ".join([*named(found), *alike(found)])
         lines["How sure"] = BY_SENSORS if only_sensors(found) else how_sure(found)
         lines["Changed"] = booked(found)
         lines["Remains"] = remains(found)
-        lines["Reason"] = " ".join(explanations(found))
+        lines["Reason"] = reason() if usual else " ".join(explanations(found))
     elif found.reasons:
         heading = "Note" if found.verdict == "none" else "Why"
         lines[heading] = "; ".join(found.reasons) + "."
@@ -65,7 +67,8 @@ def of_each_other(found: Diagnosis) -> str:
     clear = [each for each in found.sensors if each.clear]
     if not clear:
         return "encoder and gyro agree."
-    return f"encoder and gyro differ as if by {', '.join(map(parameter, clear))}."
+    said = ", ".join(map(parameter, clear))
+    return f"encoder and gyro differ as if by {said} (± by noise alone, whichever of them errs)."
 
 
 def of_plays(found: Diagnosis) -> str:

@@ -4,6 +4,7 @@ from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.report.words.diagnosis.asserted import only_sensors
 from exoid.report.words.diagnosis.certainty import twins
 from exoid.report.words.diagnosis.remainder import share_left
+from exoid.report.words.diagnosis.usual import only_usual, usual_errors
 
 LITTLE = 0.03  # share of what was missing that is worth no word
 
@@ -16,6 +17,11 @@ def headline(found: Diagnosis) -> str:
         return "Cannot tell from this recording."
     if found.novel:
         return "Something is missing that the library does not know."
+    if only_usual(found):
+        return (
+            f"Nothing of the leg is missing: gyro and encoder differ by {usual_errors(found)}, as "
+            "they usually do, and it is counted."
+        )
     if only_sensors(found):
         return "A sensor errs; of the leg's motion nothing is missing."
     if not found.explained and (share_left(found) or 0.0) > LITTLE:
@@ -25,7 +31,8 @@ def headline(found: Diagnosis) -> str:
 
 def verdict(found: Diagnosis) -> str:
     """What is missing by its name, where it has one; else the headline."""
-    if found.verdict != "mismatch" or found.novel or only_sensors(found) or not found.selected:
+    of_sensors = only_sensors(found) or only_usual(found)
+    if found.verdict != "mismatch" or found.novel or of_sensors or not found.selected:
         return headline(found)
     return ", or ".join(["Missing: " + " and ".join(titles(found)), *twins(found)])
 
