@@ -10,6 +10,7 @@ import shutil
 import sys
 import tempfile
 from contextlib import contextmanager
+from itertools import combinations
 from pathlib import Path
 
 import pytest
@@ -206,6 +207,16 @@ def test_on_paper_no_figure_is_wider_than_the_page(browser, report):
         assert page.locator("details:not([open])").count() == 0
         page.evaluate("dispatchEvent(new Event('afterprint'))")
         assert said == []
+
+
+def test_on_paper_no_name_of_an_axis_runs_into_another(browser, report):
+    with opened(browser, report, DESKTOP) as (page, _, _):
+        page.emulate_media(media="print")
+        page.evaluate("dispatchEvent(new Event('beforeprint'))")
+        named = boxes(page, "[id^=motion] text[class$=title]")
+        drawn = len(boxes(page, "figure[id^=motion]"))
+        assert len(named) == 5 * drawn > 0  # two quantities, two residuals, and the time
+        assert not any(overlap(*pair) for pair in combinations(named, 2))
 
 
 def test_it_prints_on_five_pages(browser, report, tmp_path):

@@ -1,6 +1,7 @@
 """The cards at the top of a report do not contradict each other."""
 
 from dataclasses import replace
+from math import radians
 
 import pytest
 from diagnosis_by_hand import doubtful, found, nothing
@@ -8,7 +9,8 @@ from page_cases import made_up
 from test_fit_json import common
 
 from exoid.fitting.misfit.missed import Missed
-from exoid.report.sections.summary import summary
+from exoid.fitting.result.fit_result import Estimate
+from exoid.report.sections.summary import believed, summary
 
 
 def told(diagnosis):
@@ -30,3 +32,11 @@ def test_what_is_missing_or_may_be_is_said_of_every_number(diagnosis):
     said = told(diagnosis)
     assert "Not entirely" in said
     assert "misses something, so no error bar is complete" in said
+
+
+def test_a_rate_is_in_degrees_as_in_the_words_above_the_table():
+    case = made_up()
+    bias = Estimate("b", "bias", "rad/s", radians(0.6), radians(0.01))
+    fit = replace(case.fit, terms={"gyro_bias": {"bias": bias}})
+    row = next(row for row in believed(replace(case, fit=fit)).rows if "bias" in row[0])
+    assert any("0.600 ± 0.010 deg/s" in cell for cell in row)

@@ -15,6 +15,7 @@ from exoid.report.words.typeset import with_formulas
 UNIT = 64  # pixels of a panel of size one
 SHARED, APART = 8, 58  # pixels between panels on one axis, and between axes
 LEGEND, EDGE, FOOT = 38, 12, 46  # pixels above the panels, and below them
+APART_FROM_UNIT = "<br>"  # on a line of its own a label is no longer than a low panel, on paper too
 FINE = 2.5  # powers of ten, below which 1, 2 and 5 of each are named
 
 
@@ -63,7 +64,8 @@ def arrange(drawing: Drawing, panels: tuple[Panel, ...], gap: int, lowest: int |
     top = whole
     for number, (panel, height) in enumerate(zip(panels, heights, strict=True), start=1):
         domain = [max(top - height, 0.0) / whole, top / whole]
-        drawing.update_layout({f"yaxis{number}": {**edge(panel.up), "domain": domain}})
+        up = {**edge(panel.up, APART_FROM_UNIT), "domain": domain}
+        drawing.update_layout({f"yaxis{number}": up})
         if lowest is None or number == lowest:
             at = "" if lowest else number
             anchored = {
@@ -77,16 +79,22 @@ def arrange(drawing: Drawing, panels: tuple[Panel, ...], gap: int, lowest: int |
     return int(whole)
 
 
+def titled(axis: Axis, apart: str) -> str:
+    """title, unit; apart from each other."""
+    title = with_formulas(axis.title)
+    return f"{title}{apart}[{with_formulas(axis.unit)}]" if axis.unit else title
+
+
 def named_axis(letter: str, number: int) -> str:
     """As plotly calls it: the first has no number."""
     return letter if number == 1 else f"{letter}{number}"
 
 
-def edge(axis: Axis) -> dict[str, Any]:
-    """An axis as plotly has it."""
+def edge(axis: Axis, apart: str = " ") -> dict[str, Any]:
+    """An axis as plotly has it, its title `apart` from its unit."""
     if axis.hidden:
         return {"visible": False, "fixedrange": True, "range": axis.limits}
-    made: dict[str, Any] = {"title": {"text": with_formulas(axis.label)}, "nticks": 6}
+    made: dict[str, Any] = {"title": {"text": titled(axis, apart)}, "nticks": 6}
     if axis.limits is not None:
         made["range"] = axis.limits
     if axis.reversed:

@@ -6,7 +6,7 @@ from exoid.report.parts.case import Case
 from exoid.report.pictures.determined import show_shares
 from exoid.report.sections.blocks import Block, Group, element
 from exoid.report.sections.section import section
-from exoid.report.tables.leg import quantities_of
+from exoid.report.tables.leg import in_print, quantities_of
 from exoid.report.tables.table import Column, Table
 from exoid.trust.identifiability import Identifiability
 
@@ -40,7 +40,7 @@ def combinations(told: Identifiability) -> Table:
     columns = {
         "quantity": [one.title for one in each],
         "symbol": Column([one.symbol for one in each], symbols=True),
-        "value": quantities_of(each),
+        "value": quantities_of([in_print(one) for one in each]),
     }
     return Table("From the data alone", columns)
 

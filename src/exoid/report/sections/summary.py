@@ -14,7 +14,7 @@ from exoid.report.sections.blocks import Block, Group, State, card, element
 from exoid.report.sections.parameters import parameters_of
 from exoid.report.sections.quality import appraisals
 from exoid.report.sections.section import section
-from exoid.report.tables.leg import quantities_of
+from exoid.report.tables.leg import in_print, quantities_of
 from exoid.report.tables.table import Column, Table
 from exoid.report.words.astray import astray
 from exoid.report.words.diagnosis import cause, certainty
@@ -186,7 +186,7 @@ def believed(case: Case) -> Table:
     columns = {
         "quantity": [in_words(name) for name in quantities],
         "symbol": Column([one.symbol for one in each], symbols=True),
-        "value": quantities_of(each),
+        "value": quantities_of([in_print(one) for one in each]),
         "how far to believe it": [belief[decided(one)] for one in each],
     }
     return Table("The leg in numbers; ± is one standard error", columns)
