@@ -115,10 +115,82 @@ def test_marks_beyond_a_cut_log_say_what_to_take_out():
         cut_table(log)
 
 
-def test_a_rig_and_a_single_drop_stay_as_they_are():
+@pytest.mark.parametrize("said", [{}, {"kind": "passive"}])
+def test_a_rigs_table_is_cut_into_what_swings_in_it(said):
+    log = continuous(100, 1e-3, **said)
+    found = cut_table(replace(log, subject=Subject(kind="rig")))
+    assert found.recording.protocol.kind == "passive"
+    for cut, legs in zip(found.recording.segments, cut_table(log).recording.segments, strict=True):
+        assert cut.begins == pytest.approx(legs.begins, abs=0.05)
+        assert cut.time[-1] > 5.0
+    assert found.notes[0].startswith("left out, for a hand moved the rig: a lift from 9.")
+
+
+@pytest.mark.parametrize("kind", ["active", "measured"])
+def test_a_rig_that_was_driven_stays_as_it_is(kind):
+    log = replace(continuous(100, 1e-3, kind=kind), subject=Subject(kind="rig"))
+    assert cut_table(log).recording is log
+
+
+def to_and_fro(before: float, after: float, *, swing, **said) -> Recording:
+    """Held at `before` [rad] for 1.5 s, moved by `swing`, held where that ends for 2 s, and brought
+    to `after` in 1 s: three times.
+    """
+    held, ended, way = np.full(150, before), np.full(200, swing[-1]), np.linspace(0, np.pi, 100)
+    back = swing[-1] + (after - swing[-1]) / 2 * (1 - np.cos(way))
+    angle = np.concatenate([held, swing, ended, back] * 3)
+    angle = angle + 6e-4 * np.random.default_rng(3).normal(size=angle.size)
+    segment = Segment(np.arange(angle.size) / 100, raw_angle=angle)
+    return Recording((segment,), Subject(kind="leg"), Protocol(**said))
+
+
+def swung(lasting: float) -> np.ndarray:
+    """A leg that is let go at -0.3 rad."""
+    time = np.arange(0, lasting, 0.01)
+    swing = np.cos(5.7 * time) + 0.4 / 5.7 * np.sin(5.7 * time)
+    return DOWN + (-0.3 - DOWN) * np.exp(-0.4 * time) * swing
+
+
+def test_drops_that_a_hand_caught_in_their_first_swing_are_drops_where_that_is_told():
+    log = to_and_fro(-0.3, -0.3, swing=swung(1.1))
+    found = cut_table(log)
+    assert found.recording.protocol.kind == ("active",) * 3
+    assert "caught in its first swing" in found.notes[-1]
+    told = cut_table(replace(log, protocol=Protocol(kind="passive")))
+    assert [each.begins for each in told.recording.segments] == pytest.approx(
+        [each.begins for each in found.recording.segments], abs=0.05
+    )
+    assert not any("first swing" in note for note in told.notes)
+
+
+def test_what_a_hand_brings_back_is_no_drop_even_among_drops():
+    around = -0.3 - 0.6 * (1 - np.cos(np.linspace(0, 2 * np.pi, 120)))
+    log = to_and_fro(-0.3, -0.3, swing=around, kind="passive")
+    assert cut_table(log).recording.segments == log.segments
+
+
+def test_a_rig_is_cut_where_a_hand_stops_it_and_not_where_one_lowers_it():
+    lowered = -0.3 - 0.5 * (1 - np.cos(np.linspace(0, np.pi, 120)))
+    log = replace(to_and_fro(-0.3, -0.3, swing=swung(4.0)), subject=Subject(kind="rig"))
+    found = cut_table(log).recording.segments
+    assert [each.begins for each in found] == pytest.approx([1.0, 9.5, 18.0], abs=0.1)
+    assert [each.time[-1] for each in found] == pytest.approx([4.5] * 3, abs=0.2)
+    by_hand = to_and_fro(-0.3, -0.3, swing=lowered)
+    assert len(cut_table(by_hand).recording.segments) == 3  # of a leg, that falls
+    by_hand = replace(by_hand, subject=Subject(kind="rig"))
+    assert cut_table(by_hand).recording.segments == by_hand.segments
+
+
+def test_no_rig_moves_voluntarily_unsaid():
+    around = -0.3 - 0.6 * (1 - np.cos(np.linspace(0, 2 * np.pi, 120)))
+    log = replace(to_and_fro(-0.3, -0.3, swing=around), subject=Subject(kind="rig"))
+    (note,) = cut_table(log).notes
+    assert "no rig makes one" in note
+    assert cut_table(replace(log, protocol=Protocol(kind="active"))).notes == ()
+
+
+def test_a_single_drop_stays_as_it_is():
     recording = continuous(100, 1e-3)
-    rig = replace(recording, subject=Subject(kind="rig"))
-    assert cut_table(rig).recording.segments == rig.segments
     (log,) = recording.segments
     single = Segment(log.time[:820], raw_angle=log.raw_angle[:820])
     said = Protocol(kind=("passive",))

@@ -85,3 +85,5 @@ PAUSE = 1.0  # s without a sample, over which nobody knows what the leg did
 MINOR = 0.2  # of the farthest movement, below which one is a twitch or the last of a swing
 ABOVE = 0.3  # of its travel by which a drop or a cycle rises above where it began at most
 SWINGS = 2  # that no hand makes
+LOST = 0.1  # of its travel, that a relaxed leg loses in its first swing: a fifth of a swing lightly
+# damped, at a decrement of 0.2

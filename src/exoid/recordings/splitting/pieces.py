@@ -6,7 +6,7 @@ import numpy as np
 
 from exoid.recordings.motion.find_free import moving
 from exoid.recordings.motion.signal import Speed, signal_of, smoothed, speed_of
-from exoid.recordings.motion.thresholds import ABOVE, CLEAR, MINOR, SWAYING, SWINGS, TRAVEL
+from exoid.recordings.motion.thresholds import ABOVE, CLEAR, LOST, MINOR, SWAYING, SWINGS, TRAVEL
 from exoid.recordings.recording import Kind, Segment, Sensors
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import RINGING, classify, cut, reversals, swings_out
@@ -77,6 +77,7 @@ def piece(log: Segment, smooth: Samples, part: slice, told: Kind | tuple | None)
     """What a movement is, by where it ends and whether it rises above where it began.
 
     A leg that swung out was free, however far the hand that takes it in its swings lifts it then.
+    What is told to be drops, and falls and comes back, was caught as it did.
     """
     kind, angle = classify(cut(log, part)), smooth[part]
     name = {"passive": "a drop", "active": "a movement to and fro", None: "a lift"}[kind]
@@ -87,6 +88,8 @@ def piece(log: Segment, smooth: Samples, part: slice, told: Kind | tuple | None)
         kind, name = None, "shaking"
     if name == "a drop" and above and not swings_free(log, smooth, part):
         kind, name = None, "a push"
+    if told == "passive" and kind == "active" and caught(angle):
+        kind, name = "passive", "a drop"
     if told in ("passive", "active") and kind != told:
         kind = None
     return Piece(part.start, part.stop, kind, name)
@@ -106,6 +109,15 @@ def with_lift(piece: Piece, smooth: Samples, least: float) -> Piece:
         if min(angle[top], angle[-1]) > max(angle[before], angle[low]) + least
     ]
     return replace(piece, lifted=piece.start + lows[-1]) if lows else piece
+
+
+def caught(angle: Samples) -> bool:
+    """Does a movement fall first, and come back by less? So does a leg that is caught in its first
+    swing; a hand that moves it to and fro brings it back.
+    """
+    turns = reversals(angle, RINGING * float(np.ptp(angle)))
+    lost = float(angle[0] - angle[-1]) / float(np.ptp(angle))
+    return bool(turns) and bool(angle[turns[0]] < angle[0]) and lost > LOST
 
 
 def rings(angle: Samples) -> bool:

@@ -11,6 +11,8 @@ from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, kn
 from exoid.recordings.signal.condition import classify, cut
 from exoid.recordings.splitting.cycle import find_cycle
 from exoid.recordings.splitting.pieces import Piece, find_pieces
+from exoid.recordings.splitting.rig import free_part, rig_pieces
+from exoid.recordings.splitting.unsaid import of_unsaid
 
 SHOWN = 8  # of what was left out, by their times: a line that can be read
 Marks = tuple[float, ...]  # s, on the log's clock
@@ -53,23 +55,46 @@ def cut_apart(recording: Recording) -> Split:
 
 
 def cut_table(recording: Recording) -> Split:
-    """A table is cut as a log is, where it holds more than one movement of a person's leg.
+    """A table is cut as a log is, where it holds more than one movement.
 
-    Otherwise it is returned as it is.
+    Otherwise it is returned as it is. What is taken for a voluntary movement unsaid is said.
     """
-    protocol = recording.protocol
-    if len(recording.segments) > 1 or protocol.segment_start is not None:
-        return cut_apart(recording)
-    said = for_all(recording)
+    log, *others = recording.segments
+    if others or recording.protocol.segment_start is not None:
+        found = cut_apart(recording)
+    else:
+        said = for_all(recording)
+        found = cut_rig(said, log) if said.subject.kind == "rig" else cut_leg(said, log)
+        found = found or Split(recording, ())
+    return replace(found, notes=(*found.notes, *of_unsaid(recording.protocol, found.recording)))
+
+
+def cut_leg(said: Recording, log: Segment) -> Split | None:
+    """None where it holds no more than one movement."""
     kind = said.protocol.kind
-    if kind == "measured" or said.subject.kind == "rig":
-        return Split(recording, ())
-    log = said.segments[0]
+    if kind == "measured":
+        return None
     pieces = find_pieces(log, said.sensors, kind)
     parts = kept_parts(log, pieces)
     if not parts or len(pieces) < 2 or (kind == "active" and len(parts) < 2):
-        return Split(recording, ())
+        return None
     return Split(of_parts(said, parts), notes_of(log, pieces))
+
+
+def cut_rig(said: Recording, log: Segment) -> Split | None:
+    """The same of a rig's, in which only what swings is surely free."""
+    if said.protocol.kind in ("active", "measured") or log.applied_torque is not None:
+        return None
+    pieces = rig_pieces(log, said.sensors)
+    swung = [each for each in pieces if each.kind is not None]
+    if not swung or len(pieces) < 2:
+        return None
+    parts = [
+        free_part(log, said.sensors, part, each)
+        for part, each in zip(kept_parts(log, pieces), swung, strict=True)
+    ]
+    free = replace(said, protocol=replace(said.protocol, kind="passive"))
+    return Split(of_parts(free, parts), notes_of(log, pieces, "rig"))
 
 
 def for_all(recording: Recording) -> Recording:
@@ -106,7 +131,7 @@ def kept_parts(log: Segment, pieces: list[Piece]) -> list[slice]:
     return parts
 
 
-def notes_of(log: Segment, pieces: list[Piece]) -> tuple[str, ...]:
+def notes_of(log: Segment, pieces: list[Piece], what: str = "leg") -> tuple[str, ...]:
     """What was left out, by its time; a lift at the end of a drop stays, but tells nothing."""
     each = [
         (each.name, each.start, each.stop) if each.kind is None else ("a lift", lift, each.stop)
@@ -118,7 +143,8 @@ def notes_of(log: Segment, pieces: list[Piece]) -> tuple[str, ...]:
         for name, start, stop in each
     ]
     more = f", and {len(left) - SHOWN} more times" if len(left) > SHOWN else ""
-    return (f"left out, for a hand moved the leg: {', '.join(left[:SHOWN])}{more}",) if left else ()
+    left_out = f"left out, for a hand moved the {what}: {', '.join(left[:SHOWN])}{more}"
+    return (left_out,) if left else ()
 
 
 def marked_parts(log: Segment, starts: Marks, ends: Marks | None) -> list[slice]:
