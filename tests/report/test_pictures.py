@@ -5,7 +5,7 @@ from itertools import chain, pairwise
 
 import numpy as np
 import pytest
-from diagnosis_by_hand import found
+from diagnosis_by_hand import found, nothing
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection, PathCollection
@@ -19,7 +19,7 @@ from exoid.pendulum.drops import measure_drops
 from exoid.report.figures.draw import draw as draw_page
 from exoid.report.pictures.determined import shares_of, show_parameters
 from exoid.report.pictures.drops import drop_of
-from exoid.report.pictures.mismatch.causes import causes_of, show_causes
+from exoid.report.pictures.mismatch.causes import causes, causes_of, show_causes
 from exoid.report.pictures.mismatch.proof import proof_of
 from exoid.report.pictures.mismatch.torque import (
     called_in,
@@ -45,7 +45,7 @@ from exoid.report.pictures.panel import (
 from exoid.report.pictures.profiles import profile_of
 from exoid.report.pictures.role import Role
 from exoid.report.pictures.search import costs_of, family_of, pairs_of
-from exoid.report.plots.diagnosis import plot_diagnosis
+from exoid.report.plots.diagnosis import parting, plot_diagnosis
 from exoid.report.plots.draw import draw as draw_print
 from exoid.report.tables.diagnosis import candidates, legend
 from exoid.report.words.typeset import with_formulas, with_mathtext
@@ -297,6 +297,38 @@ def test_names_of_three_causes_do_not_run_into_each_other():
     assert sum(each.get_text().count("\n") == 2 for each in bars.get_yticklabels()) == 2
     lower = sorted(boxes, key=lambda box: box.y0)
     assert all(below.y1 <= above.y0 for below, above in pairwise(lower))
+
+
+def test_a_figure_has_the_causes_of_the_table_with_what_the_table_says_of_them():
+    """What was only looked at leaves another amount, and no word of the answer is of it."""
+    one = found()
+    tried = replace(one.best, terms=["cuff_compliance"], mean_square=0.9, chosen=False)
+    drawn = causes(replace(one, pinned=[tried, *one.pinned]))
+    table = candidates(one).rows
+    assert [each.name.replace(" +\n", " + ") for each in drawn[1:]] == [row[0] for row in table[1:]]
+    assert [f"{each.left:.2f}" for each in drawn] == [row[1] for row in table]
+    assert [each.chosen for each in drawn] == ["chosen" in row for row in table]
+
+
+def test_a_figure_without_causes_that_ran_free_has_those_that_were_looked_at():
+    drawn = causes(nothing())
+    assert [each.left for each in drawn[1:]] == [2.0, 40.0]
+
+
+def test_a_cause_that_was_chosen_is_drawn_however_many_seem_better():
+    one = found()
+    better = [replace(one.best, terms=[f"a{n}"], evidence=6e3 + n, chosen=False) for n in range(9)]
+    drawn = causes(replace(one, singles=[*better, *one.singles]))
+    assert [each.name for each in drawn if each.chosen] == ["coulomb friction"]
+
+
+def test_segments_that_are_not_drawn_are_told():
+    one = found()
+    first = one.location.missing[0]
+    many = [replace(first, segment=f"leg {number}") for number in range(5)]
+    some = replace(one, location=replace(one.location, missing=many))
+    assert "the 4 of 5 segments in which most is missing" in parting(some)
+    assert "segments" not in parting(one)
 
 
 @pytest.mark.parametrize(("verdict", "chosen"), [("mismatch", 1), ("cannot_tell", 0), ("none", 0)])

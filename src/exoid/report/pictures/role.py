@@ -64,7 +64,7 @@ class Role(Enum):
     FLOOR = " noise itself", Look(BLACK, 0.9, (4.0, 2.0))
     TORQUE = "missing torque, measured", Look(INK)
     MODELLED = "by what explains it best", Look(BLUE, 1.2, (4.0, 2.0))
-    TORQUE_NOISE = "noise (±2 sd)", Look(BLACK, opacity=0.18)
+    TORQUE_NOISE = "what the sensors leave open (±2 sd)", Look(BLACK, opacity=0.18)
     STRONGEST = "strongest", Look(AMBER, opacity=0.35)
     BEFORE = "without it, held out", Look(RED)
     AFTER = "with it, held out", Look(BLUE, 1.1, (4.0, 1.5))

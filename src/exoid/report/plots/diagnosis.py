@@ -13,6 +13,7 @@ from exoid.report.pictures.mismatch.torque import (
     called_in,
     parting_of,
     plane_of,
+    shown_of,
     torque_of,
     worst,
 )
@@ -37,7 +38,7 @@ def plot_diagnosis(found: Diagnosis) -> Figure:
         layout = ConstrainedLayoutEngine(w_pad=0.07, h_pad=0.05)
         figure = Figure(figsize=(WIDE, TALL), layout=layout)
         parts = figure.subfigures(3, 1, squeeze=False, height_ratios=[1.0, 1.15, 1.0])[:, 0]
-        head(parts[0], "Where they part: the torque that Eq. 9 lacks")
+        head(parts[0], parting(found))
         draw_rows(
             parts[0],
             [[torque_of(parting_of(found), number, called_in(found)) for number in worst(found)]],
@@ -47,6 +48,13 @@ def plot_diagnosis(found: Diagnosis) -> Figure:
         draw_rows(parts[2], [[proof_of(found, number) for number in worst(found)]])
         figure.suptitle(verdict(found), fontweight="bold")
     return figure
+
+
+def parting(found: Diagnosis) -> str:
+    """What the torques over time are, and which of them are not drawn."""
+    chosen = f"; {shown}" if (shown := shown_of(found)) else ""
+    lacks = f"the {called_in(found).noun} that Eq. 9 lacks once the leg swings free"
+    return f"Where they part: {lacks}{chosen}"
 
 
 def draw_causes(figure: SubFigure, found: Diagnosis) -> None:

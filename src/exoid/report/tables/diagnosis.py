@@ -68,10 +68,15 @@ def suspects(found: Diagnosis) -> Table:
     return Table(title, columns, title)
 
 
-def candidates(found: Diagnosis) -> Table:
-    """Those that ran free, the most evident first."""
+def ran_free(found: Diagnosis) -> list[Tested]:
+    """The candidates that ran free, the most evident first, and always the one that was chosen."""
     ran = sorted([*found.pairs, *found.singles], key=evidence, reverse=True)[:MOST]
-    ran += [] if not found.changed or any(one.chosen for one in ran) else [found.best]
+    return ran + ([] if not found.changed or any(one.chosen for one in ran) else [found.best])
+
+
+def candidates(found: Diagnosis) -> Table:
+    """Those that ran free with their evidence."""
+    ran = ran_free(found)
     chosen = ["", *("chosen" if is_chosen(one, found) else "" for one in ran)]
     columns = {
         "cause": ["baseline, Eq. 9", *(causes_in_words(one.terms) for one in ran)],

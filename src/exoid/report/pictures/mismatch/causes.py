@@ -7,6 +7,7 @@ import numpy as np
 from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
 from exoid.report.pictures.panel import Axis, Bars, Panel, Picture, Rule
 from exoid.report.pictures.role import Role
+from exoid.report.tables.diagnosis import ran_free
 from exoid.report.words.diagnosis.asserted import is_chosen
 
 BAR = 0.53  # size of one
@@ -15,7 +16,6 @@ LARGE = 1000.0  # times the noise, from which on three digits would be a power o
 NARROWEST = 20.0  # times the noise: at least two powers of ten
 ROOM = 1.3  # times the longest bar on its logarithmic axis, for the number beside it
 MOST = 7  # beside the baseline
-PAIRS = 2  # of them
 CHOSEN = "Blue without stripes: what was chosen."
 NONE_CHOSEN = "None of them was chosen."
 LEAST = 0.5  # of what is left, that a logarithmic axis shows
@@ -31,13 +31,12 @@ class Cause:
 
 
 def causes(found: Diagnosis) -> list[Cause]:
-    """The baseline first, then those that leave least: run free where they were, else pinned."""
-    ran = [*found.pairs[:PAIRS], *found.singles]
-    if found.formula is not None:
-        ran = [found.best, *ran]
-    known = [one.terms for one in ran]
-    rows = [*ran, *(one for one in found.pinned if one.terms not in known)]
-    best = sorted(rows, key=lambda one: one.mean_square)[:MOST]
+    """The baseline first, then those that the table of candidates has, in its order. Where none ran
+    free, those that leave least at first sight, which is not to be compared with what others leave.
+    """
+    looked_at = sorted(found.pinned, key=lambda one: one.mean_square)
+    rows = ran_free(found) or looked_at
+    best = [*rows[:MOST], *(one for one in rows[MOST:] if is_chosen(one, found))]
     alone = Cause("Eq. 9 alone", found.baseline.mean_square, False)
     return [alone, *(Cause(label(one), one.mean_square, is_chosen(one, found)) for one in best)]
 
@@ -47,7 +46,7 @@ def label(one: Tested) -> str:
 
 
 def causes_of(found: Diagnosis) -> Panel:
-    """The baseline first, then the causes that leave least; on a logarithmic axis."""
+    """The baseline and the causes beside it, on a logarithmic axis."""
     rows = causes(found)
     size, names = room(rows), [row.name for row in rows]
     at = np.cumsum(size) - size / 2 - 0.5  # the middle of each

@@ -25,6 +25,12 @@ def worst(found: Diagnosis) -> list[int]:
     return sorted(np.argsort(size)[::-1][:SHOWN].tolist())
 
 
+def shown_of(found: Diagnosis) -> str:
+    """Which segments are shown, where that is not all of them."""
+    shown, every = len(worst(found)), len(found.location.missing)
+    return f"the {shown} of {every} segments in which most is missing" if shown < every else ""
+
+
 def parting_of(found: Diagnosis) -> Location:
     """Where they part; nothing of it is strongest where no torque is missing."""
     location = located(found)
@@ -70,10 +76,11 @@ def show_torque(location: Location, number: int, called: Called = TORQUE) -> Pic
     return Picture(
         f"torque-{number}",
         f"The {called.noun} in {unit} that Eq. 9 lacks in segment {each.segment}, over time in s: "
-        f"at most {largest:.2g} {unit}, with a noise of {each.band:.2g} {unit} (one standard "
-        "deviation).",
-        f"Segment {each.segment}. Grey band: noise, twice its standard deviation of "
-        f"{each.band:.2g} {unit}.{amber}",
+        f"at most {largest:.2g} {unit}, which the sensors tell to {each.band:.2g} {unit} (one "
+        "standard deviation).",
+        f"Segment {each.segment}, where it swings free: as it is let go, sensors do not tell its "
+        f"acceleration. Grey band: how far they leave the torque open, twice a standard deviation "
+        f"of {each.band:.2g} {unit}; the curve is smoothed and scatters less.{amber}",
         (torque_of(location, number, called),),
         "whole",
     )

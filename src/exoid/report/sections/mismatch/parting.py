@@ -10,6 +10,7 @@ from exoid.report.pictures.mismatch.torque import (
     parting_of,
     show_plane,
     show_torque,
+    shown_of,
     worst,
 )
 from exoid.report.sections.blocks import Block, some
@@ -33,9 +34,8 @@ def parting(case: Case) -> Iterator[Block]:
         return
     numbers, location, called = worst(found), parting_of(found), called_in(found)
     yield capital(where(found)) if parted(found) else NOTHING
-    every = len(location.missing)
-    if len(numbers) < every:
-        yield f"Shown are the {len(numbers)} segments in which most is missing, of {every}."
+    if shown := shown_of(found):
+        yield f"Shown are {shown}."
     yield from some([show_torque(location, number, called) for number in numbers])
     yield show_plane(location, called)
     if location.regions:
