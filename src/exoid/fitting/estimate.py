@@ -146,11 +146,12 @@ def fit(
         return describe(*found, best if voluntary else None, others[0] if others else None)
 
     result, aside = described((problem, ended)), [*amount.notes, *left_out(amount.parts, movements)]
-    if handled and not (result.follows or at_once or problem.belief.rig):
+    if handled and not (at_once or problem.belief.rig):
         swinging = without_slow_release(
-            problem.movements,
+            (problem, ended),
             lambda kept: search_of(kept, best, FEW),
             lambda found: described(found).follows,
+            bent=result.follows,
         )
         if swinging is not None:
             result = described(search_of(swinging, best))

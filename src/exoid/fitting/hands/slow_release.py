@@ -11,8 +11,11 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement, smoothed_motion
 from exoid.fitting.data.observe import GUIDE_WIDTH
+from exoid.fitting.hands.first_instants import differ
 from exoid.fitting.hands.last_instants import LOUD, Fitted, misses
-from exoid.fitting.misfit.missed import NOISY
+from exoid.fitting.misfit.missed import NOISY, Missed
+from exoid.recordings.motion.acceleration import derivatives, free_until
+from exoid.recordings.motion.signal import Signal
 from exoid.recordings.motion.thresholds import CLEAR, SWAY, TRAVEL
 from exoid.recordings.signal.condition import cut, reversals
 
@@ -22,31 +25,43 @@ Instant = Callable[[Movement], int]
 
 
 def without_slow_release(
-    movements: list[Movement],
+    whole: Fitted,
     fit: Callable[[list[Movement]], Fitted],
     follows: Callable[[Fitted], bool],
+    *,
+    bent: bool,
 ) -> list[Movement] | None:
-    """The drops from when on they were free; None where what is left does not fit either.
+    """The drops from when on they were free; None where what is left does not fit either, or no
+    fall needs a hand.
 
-    `follows` says whether a fit follows its recording.
+    `follows` says whether a fit follows its recording. Where the fit of all does, a hand may have
+    `bent` the leg that it found: then the falls must miss more than the swings do.
     """
-    if not any(map(bottom, movements)):
+    movements = whole[0].movements
+    if (bent and missed(whole).cause != "torque") or not any(map(bottom, movements)):
         return None
     for instant in (fastest, bottom):
         later = [begun(each, instant(each)) for each in movements]
         found = fit(later)
-        if follows(found) and swings_freely(found):
+        if not follows(found) or not swings_freely(found):
+            continue
+        if not bent or differ(movements, whole[1], later, found[1]):
             return later
     return None
+
+
+def missed(found: Fitted) -> Missed:
+    """What a fit misses of the drops."""
+    return found[1].disturbance.like("passive")
 
 
 def swings_freely(found: Fitted) -> bool:
     """Is there no torque in what is left of the drops, and hardly more than noise?"""
     problem, ended = found
-    missed = ended.disturbance.like("passive")
+    left = missed(found)
     drops = [number for number, each in enumerate(problem.movements) if each.kind == "passive"]
     loud = any(np.nanmean(misses(problem, ended.best, n) ** 2) > LOUD**2 for n in drops)
-    return missed.cause != "torque" and missed.noise < NOISY and not loud
+    return left.cause != "torque" and left.noise < NOISY and not loud
 
 
 def bottom(each: Movement) -> int:
@@ -69,22 +84,36 @@ def fastest(each: Movement) -> int:
 
 
 def begun(each: Movement, count: int) -> Movement:
-    """The same from this sample on, which finds the leg in motion."""
+    """The same from this sample on, which finds the leg in motion, until a hand is on it again."""
     if count == 0 or each.extent is None:
         return each
     rate, at = each.angular_velocity, float(each.segment.time[count])
-    first = each.extent.start + count
+    first, free = each.extent.start + count, slice(count, free_until_hand(each, count))
     return replace(
         each,
-        segment=cut(each.segment, slice(count, None)),
-        angle=each.angle[count:],
-        angular_velocity=None if rate is None else rate[count:],
+        segment=cut(each.segment, free),
+        angle=each.angle[free],
+        angular_velocity=None if rate is None else rate[free],
         onset=each.onset - at,
         extent=replace(each.extent, held_until=None, start=first, free=first, doubted=0),
         late=0,
         kept=None if each.kept is None else each.kept - count,
         slow=at,
     )
+
+
+def free_until_hand(each: Movement, count: int) -> int:
+    """One past its last sample that is as free as those since `count`: beside a fall in a hand, the
+    lift that follows the swings looked free as well.
+    """
+    assert each.extent is not None  # only a drop has turned around
+    sure = each.extent.sure - each.extent.start
+    size = each.angle.size
+    if not count < sure < size:
+        return size
+    gyro = each.angular_velocity
+    signal = Signal(each.segment.time, each.angle, each.angle_noise, gyro, each.velocity_noise)
+    return free_until(derivatives(signal), slice(count, sure), size)
 
 
 def of_slow(movements: list[Movement]) -> list[str]:
