@@ -28,6 +28,7 @@ from exoid.fitting.model.term_parameters import ratio_name
 from exoid.fitting.result.averaged import averaged
 from exoid.fitting.result.estimates import Found, parameter_estimate, with_reasons
 from exoid.fitting.result.fit_result import Estimate, FitResult
+from exoid.fitting.result.untold import UNLIKE
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term, name_of
@@ -78,8 +79,10 @@ def fit_each(given: RecordingsLike, **options) -> FitResult:
     assumed = Assumptions(names[0], weight, plain, names[1], hand)
     classes = classes_of(options.get("terms", ()))
     belief = believe(recordings[0][1].subject, assumed, classes)
-    parameters = with_reasons(settled_parameters(belief, ratios, results[0].leg), belief.rig)
-    moment = results[0].gravity_moment
+    unlike = [each for each in results if each.parameters["inertia"].reason == UNLIKE]
+    settled = {} if unlike else settled_parameters(belief, ratios, results[0].leg)
+    parameters = unlike[0].parameters if unlike else with_reasons(settled, belief.rig)
+    moment = [*unlike, *results][0].gravity_moment
     said = dict.fromkeys(of_every_kind([note for each in results for note in each.notes]))
     lost = [each.notes[0] for each in results if not each.follows][:1]
     readings = {each.torque_frequency for each in results} - {None}

@@ -28,6 +28,7 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks.remarks import UPWARDS, upwards
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
+from exoid.fitting.unlike_tables import contradicted, strange, without_tables
 from exoid.physics.library import check_terms, library
 from exoid.physics.scale import AS_A_LEG
 from exoid.physics.term import SensorTerm, Term, name_of
@@ -110,7 +111,14 @@ def fit(
         movements = [plainly(each) for each in movements]
     chain, movements = conditioned(movements, smooth)
 
-    def search_of(movements, reading: str, count: int = multistart) -> tuple[Problem, SearchResult]:
+    # What a term remembers is only known of a leg that has not moved yet; a sensor soon forgets it.
+    remembering = (each for each in classes if not issubclass(each, SensorTerm))
+    at_once = at_once or any(each.memory_size > 0 for each in remembering)
+    handled = method == "lm" and clip == "free" and not plain
+
+    def search_of(
+        belief: Belief, movements: list[Movement], reading: str, count: int = multistart
+    ) -> tuple[Problem, SearchResult]:
         given = begin(movements, belief, reading, count, seed) if starts is None else starts
         if near is not None:
             given = np.vstack([near, given[1:]])
@@ -120,43 +128,49 @@ def fit(
             return problem, by_slsqp(problem, given, own)
         return search(problem, given, own, near=near is not None)
 
-    tried = {reading: search_of(movements, reading) for reading in readings(named, movements)}
-    best = min(tried, key=lambda reading: float(tried[reading][1].best.misfit[0]))
-    problem, ended = tried[best]
-    # What a term remembers is only known of a leg that has not moved yet; a sensor soon forgets it.
-    remembering = (each for each in classes if not issubclass(each, SensorTerm))
-    at_once = at_once or any(each.memory_size > 0 for each in remembering)
-    handled = method == "lm" and clip == "free" and not plain
-    if handled:
-        problem, ended = without_unseen_hands(
-            problem,
-            ended,
-            lambda kept, count: search_of(kept, best, count),
-            multistart,
-            at_once=at_once,
-        )
-    if upwards(problem, ended):
-        raise ValueError(UPWARDS)
-    others = [
-        describe(*tried[reading], None, None).angle_rmse for reading in tried if reading != best
-    ]
-    voluntary = any(each.voluntary for each in movements)
+    def fitted(belief: Belief) -> tuple[FitResult, list[str]]:
+        """The result, and a note of the drops of which the begin was left out."""
+        tried = {each: search_of(belief, movements, each) for each in readings(named, movements)}
+        best = min(tried, key=lambda reading: float(tried[reading][1].best.misfit[0]))
+        problem, ended = tried[best]
+        if handled:
+            problem, ended = without_unseen_hands(
+                problem,
+                ended,
+                lambda kept, count: search_of(belief, kept, best, count),
+                multistart,
+                at_once=at_once,
+            )
+        if upwards(problem, ended):
+            raise ValueError(UPWARDS)
+        others = [
+            describe(*tried[reading], None, None).angle_rmse for reading in tried if reading != best
+        ]
+        voluntary = any(each.voluntary for each in movements)
 
-    def described(found: tuple[Problem, SearchResult]) -> FitResult:
-        return describe(*found, best if voluntary else None, others[0] if others else None)
+        def described(found: tuple[Problem, SearchResult]) -> FitResult:
+            return describe(*found, best if voluntary else None, others[0] if others else None)
 
-    result, aside = described((problem, ended)), [*amount.notes, *left_out(amount.parts, movements)]
-    if handled and not (at_once or problem.belief.rig):
+        result = described((problem, ended))
+        if not handled or at_once or belief.rig:
+            return result, []
         swinging = without_slow_release(
             (problem, ended),
-            lambda kept: search_of(kept, best, FEW),
+            lambda kept: search_of(belief, kept, best, FEW),
             lambda found: described(found).follows,
             bent=result.follows,
         )
-        if swinging is not None:
-            result = described(search_of(swinging, best))
-            aside += of_slow(swinging)
-    return with_aside(result, aside)
+        if swinging is None:
+            return result, []
+        return described(search_of(belief, swinging, best)), of_slow(swinging)
+
+    result, slow = fitted(belief)
+    if handled and strange(result):
+        untabled, beside = fitted(without_tables(belief))
+        if untabled.follows and contradicted(untabled):
+            result, slow = untabled, beside
+    aside = [*amount.notes, *left_out(amount.parts, movements)]
+    return with_aside(result, [*aside, *slow])
 
 
 def classes_of(terms: Sequence[type[Term] | Term]) -> tuple[type[Term], ...]:
@@ -267,7 +281,7 @@ def begin(
 ) -> np.ndarray:
     """The starts: two informed ones, from anatomy and from inverse dynamics, the rest drawn."""
     starts, typical = draw(count, seed, belief.limits), belief.typical
-    if belief.expected is not None:
+    if typical.keys() >= {*NAMES}:
         starts[0] = [*(typical[name] for name in NAMES), 0.0]
     mass, inertia = (typical.get(*each) for each in MIDDLING.items())
     if belief.rig and all_driven(movements):

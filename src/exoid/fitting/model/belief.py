@@ -23,6 +23,7 @@ class Belief:
     raw: bool = False  # are the prior's standard deviations a weighting, and no belief
     bounds: BoundsName = "body"
     by_hand: ByHand = field(default_factory=ByHand)
+    untabled: bool = False  # is what is expected only there to be compared with
 
     @property
     def rig(self) -> bool:
@@ -34,6 +35,6 @@ class Belief:
         """Where to begin: what was said by hand, else what is expected; empty where nothing is."""
         hand = self.by_hand.leg
         said = {name: value for name, (value, _) in hand.prior.items()} | dict(hand.fix)
-        if self.expected is None:
+        if self.expected is None or self.untabled:
             return said
         return {name: getattr(self.expected, name).value for name in NAMES} | said

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from exoid.fitting.misfit.uncertainty import HELD
 from exoid.fitting.result.agreement import lost, unbelieved
-from exoid.fitting.result.estimates import without_value
+from exoid.fitting.result.estimates import SCALE_FREE, without_value
 from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
 from exoid.fitting.result.limiting_systematics import chief
 from exoid.fitting.result.remarks.anatomy_remarks import unlike_anatomy
@@ -15,7 +15,10 @@ TORQUE = "torque_over_inertia"
 MISPLACED = (
     "the distance of the added mass, by which the leg is weighed, does not agree with how it moves"
 )
-UNLIKE = "no leg of this body, as the tables of anatomy have it, moves like this"
+UNLIKE = (
+    "no leg of this body, as the tables of anatomy have it, moves like this: a drop with a known "
+    "mass on the leg tells it"
+)
 GOES = ("over", "times")  # J: what motion alone tells of a parameter that goes with it
 
 
@@ -75,7 +78,8 @@ def without_scale(result: FitResult, why: str) -> FitResult:
 
     def kept(each: Estimate) -> Estimate:
         nothing = each.shares == HELD and not each.value  # whatever J is
-        known = each.by_hand == "fix" or each.shares is None or nothing
+        otherwise = each.shares is None and each.reason != SCALE_FREE  # lost, for another reason
+        known = each.by_hand == "fix" or otherwise or nothing
         return each if known else without_value(each, why)
 
     def of_term(own: dict[str, Estimate]) -> dict[str, Estimate]:

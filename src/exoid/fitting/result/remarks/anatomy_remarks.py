@@ -6,16 +6,18 @@ from exoid.fitting.model.belief import Belief
 from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.physics.leg import GRAVITY
 
+LEANING = "m, J, l, d and c lean on anatomy, and are worth nothing where it is not this leg's"
+LEFT_OUT = "The tables count for nothing here"
 STRANGE = 3.29  # standard deviations from what anatomy expects: one leg in a thousand
 
 
 def of_anatomy(belief: Belief, gravity: float) -> list[str]:
     """That the leg's motion and its body's tables contradict each other, and what to do."""
+    leaning = LEFT_OUT if belief.untabled else LEANING
     return [
         f"{each}. Check body mass, height and age, the encoder's zero, the times "
         f"({at_rate(belief, gravity)} would explain it), and that every mass on the leg is "
-        "declared. m, J, l, d and c lean on anatomy, and are worth nothing where it is not this "
-        "leg's; what the motion tells, the ratios to J, holds."
+        f"declared. {leaning}; what the motion tells, the ratios to J, holds."
         for each in unlike_anatomy(belief, gravity)
     ]
 

@@ -324,4 +324,5 @@ def whose(belief: Belief, name: str) -> str:
         return "yours"
     if belief.bounds == "paper":
         return "Eq. 13"
-    return "any human's" if belief.expected is None else "what a leg of this body can have"
+    unknown = belief.expected is None or belief.untabled
+    return "any human's" if unknown else "what a leg of this body can have"

@@ -1,0 +1,49 @@
+"""A leg that moves as no leg of its body does: then no table of anatomy says anything of it.
+
+A stump, a prosthesis or another person's height: what the tables expect, and the limits that they
+draw, would pull the ratios that its motion tells.
+"""
+
+from dataclasses import replace
+
+from exoid.fitting.model.belief import Belief
+from exoid.fitting.model.prior import no_prior
+from exoid.fitting.model.prior_and_limits import limits_of
+from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.result.remarks.anatomy_remarks import unlike_anatomy
+from exoid.physics.anatomy.limits import anybody
+
+TELLING = "gravity_over_inertia"
+LEFT_OUT = "none, for no leg of this body moves like this; expected would be"
+
+
+def strange(result: FitResult) -> bool:
+    """Is the leg that a fit has none of this body? Its tables may have bent it, and its error."""
+    return unlike(result, 0.0)
+
+
+def contradicted(result: FitResult) -> bool:
+    """Does the motion contradict the tables of this body, by more than its error?"""
+    return unlike(result, result.ratios[TELLING].standard_error or 0.0)
+
+
+def unlike(result: FitResult, error: float) -> bool:
+    gravity = result.ratios[TELLING].value
+    if result.basis is None or gravity is None:
+        return False
+    return bool(unlike_anatomy(result.basis.problem.belief, gravity, error))
+
+
+def without_tables(belief: Belief) -> Belief:
+    """The same without what the tables say of this body's leg, but to be compared with: its limits
+    are those of any human.
+    """
+    old, limits = belief.prior, belief.limits
+    prior = replace(
+        no_prior(), weight=old.weight, terms=old.terms, terms_deviation=old.terms_deviation
+    )
+    if belief.bounds == "body":
+        wide = limits_of(anybody(), float(limits.torque), float(limits.reach))
+        limits = replace(limits, lower=wide.lower, upper=wide.upper)
+    note = f"{LEFT_OUT}: {belief.note}"
+    return replace(belief, prior=prior, limits=limits, note=note, untabled=True)
