@@ -198,29 +198,39 @@ def test_a_mass_where_it_is_said_to_hang_is_believed(gyration, off):
 
 
 STUMP = 0.017, 1.285  # kg m^2, N m: below the knee of an amputee who weighs as BODY does
+SHORTER = 0.004, 0.47  # beyond what limits of any leg of that body hold
 
 
-def stump(load: float) -> Recording:
+def stump(load: float, size: tuple[float, float] = STUMP) -> Recording:
     """A drop of it without and, where there is any, one with a `load` [kg] 0.1 m below the knee."""
     rng, loads = np.random.default_rng(5), (0.0, load) if load else (0.0,)
     segments = []
     for each in loads:
-        inertia = STUMP[0] + each * (0.1**2 + 0.02**2)
-        time, angle = swings(inertia, STUMP[1] + each * GRAVITY * 0.1, knee=0.1)
+        inertia = size[0] + each * (0.1**2 + 0.02**2)
+        time, angle = swings(inertia, size[1] + each * GRAVITY * 0.1, knee=size[0] / 0.17)
         noisy = angle + rng.normal(0.0, 1.7e-3, time.size)
         segments.append(Segment(time, raw_angle=noisy))
     subject = replace(BODY, added_mass=loads, added_mass_distance=0.1, added_mass_gyration=0.02)
     return Recording(tuple(segments), subject, Protocol(kind="passive"))
 
 
-def test_of_a_leg_that_anatomy_does_not_know_motion_tells_the_ratios_and_no_table_the_rest():
-    found = fit(stump(0.0), multistart=4)
+@pytest.mark.parametrize("size", [STUMP, SHORTER])
+def test_of_a_leg_that_anatomy_does_not_know_motion_tells_the_ratios_and_no_table_the_rest(size):
+    found = fit(stump(0.0, size), multistart=4)
     assert found.follows
     assert {each.value for each in found.of_leg.values()} == {None}
     assert "as the tables of anatomy have it" in str(found.parameters["inertia"].reason)
     ratio = found.ratios["gravity_over_inertia"]
-    assert abs(ratio.value - STUMP[1] / STUMP[0]) < 3 * ratio.standard_error
+    assert abs(ratio.value - size[1] / size[0]) < 3 * ratio.standard_error
     assert profiles(found) == {}  # they would hold the tables' leg against this one
+
+
+def test_what_the_body_is_said_to_be_pulls_no_ratio_of_a_leg_that_is_none_of_it():
+    known = stump(0.0, SHORTER)
+    unknown = replace(known, subject=replace(BODY, body_mass=None, height=None))
+    told, untold = (fit(each, multistart=4).ratios for each in (known, unknown))
+    for name, each in told.items():
+        assert each.value == pytest.approx(untold[name].value, abs=0.1 * each.standard_error)
 
 
 def test_what_a_known_mass_tells_of_it_stays():
