@@ -7,8 +7,8 @@ import pytest
 from diagnosis_by_hand import found, nothing, novel
 
 from exoid.mismatch.answer.diagnosis import Finding, Parameter
+from exoid.report.words.diagnosis.asserted import only_usual
 from exoid.report.words.diagnosis.sentences import sentences
-from exoid.report.words.diagnosis.usual import only_usual
 from exoid.report.words.diagnosis.verdict import headline, verdict
 
 BIAS = float(np.radians(0.6))

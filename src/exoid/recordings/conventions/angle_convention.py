@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from exoid.recordings.conventions.balance import Balance, balance
+from exoid.recordings.conventions.counting import answers, counting
 from exoid.recordings.conventions.file_clock import measured
 from exoid.recordings.conventions.gyro_agreement import agreement
-from exoid.recordings.conventions.mounting import counting
 from exoid.recordings.recording import Recording, Sensors
 from exoid.recordings.signal.condition import SMOOTHING, classify
 from exoid.recordings.signal.local_line import local_line
@@ -127,15 +127,6 @@ def wrong_convention(recording: Recording, told: Sensors, *, cut: bool) -> str |
     mend = mended(as_read, one_sense, answers(told))
     right = "" if shift else ' If 0 is right, say zero="extended".'
     return f"{where}{described(wrong[first])}. {mend}{right}{rig}"
-
-
-def answers(told: Sensors) -> str:
-    """What was told of the angle's sign and zero, in the words in which it is told."""
-    said = [f'flip="{told.flip}"'] if told.flip in ("angle", "all") else []
-    said += ['zero="hanging"'] if told.zero == "hanging" else []
-    zero = told.angle_zero
-    said += [] if zero is None else [f"angle_zero_deg = {np.degrees(zero):.4g} in [sensors]"]
-    return " and ".join(said)
 
 
 def described(found: Swing) -> str:

@@ -9,17 +9,14 @@ import numpy as np
 
 from exoid.files.text_file import Notes
 from exoid.recordings.conventions.balance import balance
+from exoid.recordings.conventions.counting import ANGLES, FLIPPED, RATES, counting
 from exoid.recordings.landmarks.find_landmarks import find_landmarks
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import track_of
-from exoid.recordings.recording import Recording, Segment, Sensors
+from exoid.recordings.recording import Recording, Segment
 from exoid.recordings.signal.clean import clean
 from exoid.recordings.signal.condition import classify
 
-ANGLES = ("raw_angle", "angle")
-RATES = ("raw_angular_velocity", "angular_velocity", "angular_acceleration")
-FLIPPED = {"angle": ANGLES, "gyro": RATES, "all": (*ANGLES, *RATES, "applied_torque")}
-HANGING = -np.pi / 2  # rad, the plumb line
 RESTS = -1.33  # rad; where a relaxed leg hangs: its own stiffness holds it short of the plumb line
 REST_SPREAD = 0.2  # rad, one standard deviation over people, from slack to spastic
 SURE = 0.15  # rad, the error of a balance up to which it stands in for a rest
@@ -48,12 +45,6 @@ def turned(recording: Recording) -> tuple[Recording, Notes]:
     notes = [f"the sign of {named(turned)} is changed, as told."] if turned else []
     notes += [f"the angle is shifted by {np.degrees(shift):+.4g} deg, as told."] if shift else []
     return replace(recording, segments=segments, sensors=sensors), tuple(notes)
-
-
-def counting(told: Sensors) -> tuple[float, float]:
-    """Sign, and what is then added [rad], that make exoid's angle of that of a file."""
-    sign = -1.0 if "angle" in FLIPPED.get(told.flip or "", ()) else 1.0
-    return sign, HANGING if told.zero == "hanging" else -sign * (told.angle_zero or 0.0)
 
 
 def whole_turns(recording: Recording, sign: float, shift: float) -> float:

@@ -18,8 +18,7 @@ from exoid.report.tables.leg import in_print, quantities_of
 from exoid.report.tables.table import Column, Table
 from exoid.report.words.astray import astray
 from exoid.report.words.diagnosis import cause, certainty
-from exoid.report.words.diagnosis.asserted import only_sensors
-from exoid.report.words.diagnosis.usual import only_usual
+from exoid.report.words.diagnosis.asserted import only_sensors, only_usual
 from exoid.report.words.diagnosis.verdict import verdict
 from exoid.report.words.text import capital, in_degrees, in_words
 

@@ -2,11 +2,11 @@
 
 from rich.console import Console
 
-from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
+from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.astray import astray
-from exoid.report.words.diagnosis.asserted import is_chosen
+from exoid.report.words.diagnosis.asserted import evidence, is_chosen, ran_free
 from exoid.report.words.diagnosis.leg import beside, tabled
 from exoid.report.words.diagnosis.sentences import sentences
 from exoid.report.words.diagnosis.verdict import headline
@@ -25,7 +25,6 @@ LEGEND = (
     "odds times two against the baseline, after the price of the parameters."
 )
 CHOSEN = "chosen: more causes only where they leave less than a third as much."
-MOST = 8  # candidates that are listed
 MARGIN = 15  # characters, as wide as the longest heading
 
 
@@ -68,12 +67,6 @@ def suspects(found: Diagnosis) -> Table:
     return Table(title, columns, title)
 
 
-def ran_free(found: Diagnosis) -> list[Tested]:
-    """The candidates that ran free, the most evident first, and always the one that was chosen."""
-    ran = sorted([*found.pairs, *found.singles], key=evidence, reverse=True)[:MOST]
-    return ran + ([] if not found.changed or any(one.chosen for one in ran) else [found.best])
-
-
 def candidates(found: Diagnosis) -> Table:
     """Those that ran free with their evidence."""
     ran = ran_free(found)
@@ -90,8 +83,3 @@ def candidates(found: Diagnosis) -> Table:
 def legend(found: Diagnosis) -> str:
     """What the columns of the candidates say."""
     return f"{LEGEND} {CHOSEN}" if is_chosen(found.best, found) else LEGEND
-
-
-def evidence(one: Tested) -> float:
-    assert one.evidence is not None  # it ran free
-    return one.evidence

@@ -7,8 +7,7 @@ import numpy as np
 from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
 from exoid.report.pictures.panel import Axis, Bars, Panel, Picture, Rule
 from exoid.report.pictures.role import Role
-from exoid.report.tables.diagnosis import ran_free
-from exoid.report.words.diagnosis.asserted import is_chosen
+from exoid.report.words.diagnosis.asserted import is_chosen, ran_free
 
 BAR = 0.53  # size of one
 LINES = 2  # of its name, for which a bar's row has room

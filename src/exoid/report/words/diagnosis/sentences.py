@@ -3,13 +3,12 @@
 from exoid.fitting.result.remarks.noise_remarks import of_play, times_off
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.answer.over_inertia import guessed
-from exoid.report.words.diagnosis.asserted import only_sensors, parted
+from exoid.report.words.diagnosis.asserted import only_sensors, only_usual, parted, reason
 from exoid.report.words.diagnosis.cause import explanations, for_inertia, named, parameter
 from exoid.report.words.diagnosis.certainty import alike, how_sure, suspected, trust
 from exoid.report.words.diagnosis.leg import booked, doubted
 from exoid.report.words.diagnosis.located import located
 from exoid.report.words.diagnosis.remainder import remains
-from exoid.report.words.diagnosis.usual import only_usual, reason
 
 BY_SENSORS = "encoder and gyro show it of each other, without any leg model."
 

@@ -1,10 +1,9 @@
 """The verdict of a diagnosis in one line."""
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
-from exoid.report.words.diagnosis.asserted import only_sensors
+from exoid.report.words.diagnosis.asserted import only_sensors, only_usual, usual_errors
 from exoid.report.words.diagnosis.certainty import twins
 from exoid.report.words.diagnosis.remainder import share_left
-from exoid.report.words.diagnosis.usual import only_usual, usual_errors
 
 LITTLE = 0.03  # share of what was missing that is worth no word
 
