@@ -8,7 +8,7 @@ import pytest
 from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.loading.load import load
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
-from exoid.recordings.splitting.pieces import Piece
+from exoid.recordings.splitting.piece import Piece
 from exoid.recordings.splitting.split import SHOWN, cut_table, notes_of
 
 DOWN = np.radians(-72)

@@ -1,30 +1,16 @@
 """The movements of a continuous recording: drops, cycles, and what a hand did between them."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from exoid.recordings.motion.find_free import moving
 from exoid.recordings.motion.signal import Speed, signal_of, smoothed, speed_of
-from exoid.recordings.motion.thresholds import ABOVE, CLEAR, LOST, MINOR, SWAYING, SWINGS, TRAVEL
+from exoid.recordings.motion.thresholds import ABOVE, CLEAR, LOST, MINOR, SWAYING, TRAVEL
 from exoid.recordings.recording import Kind, Segment, Sensors
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import RINGING, classify, cut, reversals, swings_out
-
-
-@dataclass(frozen=True)
-class Piece:
-    """A movement between two rests: its samples, and what it is."""
-
-    start: int
-    stop: int  # one past its last sample
-    kind: Kind | None  # None where a hand moved the leg
-    name: str
-    lifted: int | None = None  # the sample from which a hand lifted a leg that had swung out
-
-    @property
-    def samples(self) -> slice:
-        return slice(self.start, self.stop)
+from exoid.recordings.splitting.piece import Piece, rings
 
 
 def find_pieces(log: Segment, sensors: Sensors, told: Kind | tuple | None) -> list[Piece]:
@@ -118,13 +104,3 @@ def caught(angle: Samples) -> bool:
     turns = reversals(angle, RINGING * float(np.ptp(angle)))
     lost = float(angle[0] - angle[-1]) / float(np.ptp(angle))
     return bool(turns) and bool(angle[turns[0]] < angle[0]) and lost > LOST
-
-
-def rings(angle: Samples) -> bool:
-    """Does a lift end in ever smaller swings? No hand does that: it is a leg that was let go, in a
-    file that counts the angle otherwise.
-    """
-    middle = int(np.argmax(angle > (angle[0] + angle[-1]) / 2))
-    turns = angle[middle:][reversals(angle[middle:], RINGING * float(np.ptp(angle)))]
-    swings = np.abs(np.diff(turns))
-    return swings.size >= SWINGS and bool((np.diff(swings) < 0).all())

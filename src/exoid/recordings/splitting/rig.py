@@ -11,17 +11,16 @@ from exoid.recordings.motion.thresholds import ROCKING
 from exoid.recordings.recording import Segment, Sensors
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import cut, swings_out
-from exoid.recordings.splitting.pieces import Piece, find_pieces, rings
+from exoid.recordings.splitting.piece import Piece, rings
 
 LAST = 1.0  # s before a rest, the swing of a rig as long as a leg
 NO_SWING = "a movement that does not swing"
 
 
-def rig_pieces(log: Segment, sensors: Sensors) -> list[Piece]:
-    """The movements between rests. Those that swing, either way first, are free: no hand does that,
-    but it may lower a rig as well as lift it.
+def free_alone(log: Segment, pieces: list[Piece]) -> list[Piece]:
+    """The movements, of which those that swing, either way first, are free: no hand does that, but
+    it may lower a rig as well as lift it.
     """
-    pieces = find_pieces(log, sensors, "passive")
     angle = log.best_angle
     return [
         each

@@ -10,8 +10,9 @@ from exoid.recordings.motion.thresholds import PAUSE, REST_KEPT, TAKEN
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, known
 from exoid.recordings.signal.condition import classify, cut
 from exoid.recordings.splitting.cycle import find_cycle
-from exoid.recordings.splitting.pieces import Piece, find_pieces
-from exoid.recordings.splitting.rig import free_part, rig_pieces
+from exoid.recordings.splitting.piece import Piece
+from exoid.recordings.splitting.pieces import find_pieces
+from exoid.recordings.splitting.rig import free_alone, free_part
 from exoid.recordings.splitting.unsaid import of_unsaid
 
 SHOWN = 8  # of what was left out, by their times: a line that can be read
@@ -85,7 +86,7 @@ def cut_rig(said: Recording, log: Segment) -> Split | None:
     """The same of a rig's, in which only what swings is surely free."""
     if said.protocol.kind in ("active", "measured") or log.applied_torque is not None:
         return None
-    pieces = rig_pieces(log, said.sensors)
+    pieces = free_alone(log, find_pieces(log, said.sensors, "passive"))
     swung = [each for each in pieces if each.kind is not None]
     if not swung or len(pieces) < 2:
         return None
