@@ -173,3 +173,13 @@ def test_a_clock_that_begins_again_otherwise_is_refused_with_a_way_out(tmp_path,
     assert going_on(time) is None
     with pytest.raises(ValueError, match="a column segment: 0 up to there, 1 from there on"):
         loaded(tmp_path, np.where(TIME < 4.0, TIME, TIME - 4.0))
+
+
+@pytest.mark.parametrize("turned", [True, False])
+def test_an_angle_that_goes_over_to_another_unit_is_said(tmp_path, turned):
+    shown = np.where((TIME < 4.0) == turned, ANGLE, np.radians(ANGLE))
+    said = "from 4.00 s on the angle is 57.3 times as large or small"
+    assert any(said in note for note in loaded(tmp_path, angle=shown).notes)
+    assert not any("57.3" in note for note in loaded(tmp_path).notes)
+    zeros = np.where(TIME < 4.0, ANGLE, 0.0)
+    assert not any("57.3" in note for note in loaded(tmp_path, angle=zeros).notes)

@@ -12,6 +12,7 @@ from exoid.recordings.tables.mending.doubled_rows import Cells, Columns, doubled
 from exoid.recordings.tables.mending.full_turns import TURN, turns_left_out
 from exoid.recordings.tables.mending.missing_word import missing_word, named
 from exoid.recordings.tables.mending.rounded_times import unrounded
+from exoid.recordings.tables.mending.unit_change import unit_change
 
 ANGLES = ("raw_angle_rad", "angle_rad")
 RATES = ("raw_velocity_rad_s", "velocity_rad_s")
@@ -38,7 +39,7 @@ def mended(columns: Columns, starts: np.ndarray) -> tuple[Columns, Notes]:
     """
     parts = [slice(*rows) for rows in zip(starts, [*starts[1:], None], strict=True)]
     found, notes = dict(columns), []
-    for change in (with_time_going_on, with_even_times, without_words, with_turns):
+    for change in (with_time_going_on, with_even_times, without_words, with_turns, in_one_unit):
         more, said = change(found, parts)
         found |= more
         notes += said
@@ -93,6 +94,23 @@ def without_words(columns: Columns, parts: list[slice]) -> tuple[Columns, Notes]
             "empty."
         )
     return found, tuple(notes)
+
+
+def in_one_unit(columns: Columns, parts: list[slice]) -> tuple[Columns, Notes]:
+    """Nothing: which unit is the right one, the file does not say."""
+    notes = []
+    for name in ANGLES:
+        if name not in columns:
+            continue
+        time, angle = (np.asarray(columns[each], dtype=float) for each in ("time_s", name))
+        changes = [unit_change(time[part], angle[part]) for part in parts]
+        notes += [
+            f"from {at:.2f} s on the angle is 57.3 times as large or small as before, as where "
+            "degrees become radians: write all of it in one unit."
+            for at in changes
+            if at is not None
+        ]
+    return {}, tuple(notes)
 
 
 def with_turns(columns: Columns, parts: list[slice]) -> tuple[Columns, Notes]:
