@@ -27,16 +27,18 @@ exoid's own:
 
 Amplitudes are differences of knee angles. Angles are exoid's: 0 extended, flexion negative.
 Velocity and acceleration are derivatives of the angle, so that a gyro's scale and bias do not
-enter. Standard errors hold the white noise of the angle, and 5 % of the acceleration at the release
-for what the polynomial there leaves out; an off-centre magnet, a cuff that slips or what a filter
-takes from peaks is not in them (`smoothing.py` says of which angles).
+enter. Standard errors hold the white noise of the angle, how a hand that swayed moved the leg
+before it let go, and 7 % of the acceleration at the release for what the polynomial there leaves
+out; an off-centre magnet, a cuff that slips or what a filter takes from peaks is not in them
+(`smoothing.py` says of which angles).
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import hypot, log
 
 from exoid.recordings.landmarks.landmarks import Landmarks
 from exoid.recordings.landmarks.measure import Mark, NotAllowed
+from exoid.recordings.landmarks.release import MISSED
 from exoid.recordings.landmarks.rest import BAND
 from exoid.recordings.landmarks.track import HALF, SURE, Peak
 
@@ -153,7 +155,7 @@ def peak_flexion_acceleration(drop: Landmarks) -> DropReading:
     after, value, error = release.steepest()
     later = drop.steepest(2, -1, release.start.time + HALF, drop.flexion(1).time)
     if later.value < value:
-        return size(later)
+        return size(replace(later, error=hypot(later.error, MISSED * later.value)))
     start = release.start
     return size(Peak(start.sample, start.time + after, start.time_error, value, error))
 

@@ -138,4 +138,4 @@ def test_of_a_hand_that_keeps_still_the_angle_is_as_sure_as_its_noise():
     cut = cut_table(session(0.0, 0)[0]).recording
     for number, extent in find_drops(cut).items():
         start = find_release(track_of(cut.segments[number], NOISE[0]), extent).start
-        assert start.error < NOISE[0] / 4  # of thirty samples
+        assert start.error < NOISE[0]  # twenty samples do not tell it from one that moves by that

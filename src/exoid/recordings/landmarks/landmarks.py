@@ -12,8 +12,12 @@ from exoid.recordings.landmarks.peak import fastest
 from exoid.recordings.landmarks.release import Release
 from exoid.recordings.landmarks.rest import CutBefore, Rest
 from exoid.recordings.landmarks.swing import Curve, back, curve
-from exoid.recordings.landmarks.track import HALF, Peak, Track, nearest
+from exoid.recordings.landmarks.track import DEGREE, HALF, Peak, Track, nearest
 from exoid.recordings.samples import Samples
+
+MISSED_LESS = (
+    2**DEGREE - 1
+)  # times less of a slope is missed over half the time than both differ by
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,6 +111,8 @@ class Landmarks:
         time, place = float(times[at]), sharp.only(at)
         if order == 1:
             after, value, error = fastest(place, sign)
+            missed = float(place.value(1)[0] - wide.value(1)[at]) / MISSED_LESS
+            error = float(np.hypot(error, missed))
             return Peak(nearest(self.track, time + after), time + after, HALF, value, error)
         value, error = place.derivative(order)
         return Peak(nearest(self.track, time), time, HALF, float(value[0]), float(error[0]))

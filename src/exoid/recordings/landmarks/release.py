@@ -1,16 +1,18 @@
 """How a leg was let go: when, from which angle, and whether nothing held it any more.
 
-Held still until t0, it then falls from rest:
+Held until t0 by a hand that may sway, it then falls with the speed that it has:
 
-    phi = phi_s + a x^2 + b x^3 + c x^4 + e x^5,   x = t - t0.
+    phi = phi_s + v x + a x^2 + b x^3 + c x^4 + e x^5,   x = t - t0 > 0
+    phi = phi_s + v x + f x^2 + g x^3,                   x < 0
+
+A hand that keeps a leg hardly moves it: v, f and g are believed to be about 0.
 """
 
-from collections.abc import Iterator
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import perm
 
 import numpy as np
-from numpy.polynomial.legendre import legfit
 from numpy.typing import NDArray
 
 from exoid.recordings.landmarks.local_polynomial import local
@@ -22,11 +24,17 @@ from exoid.recordings.signal.condition import MOTION_SPEED
 from exoid.recordings.signal.left_over import orthonormal
 
 FALL = 0.3  # s of the fall that are followed
-MISSED = 0.05  # of its first acceleration, by what the polynomial leaves out of a quick leg's fall
+HOLD = 0.2  # s of the hold: a cubic follows a hand that trembles at 3 Hz over it
+LETTING = 0.03  # s by which a hand that takes 0.1 s to let go may do so sooner than it seems
+MISSED = 0.07  # of its first acceleration, by what the polynomial leaves out of a quick leg's fall,
+# or of one that a hand lets go within 0.1 s
 LATE = 0.025  # s by which the first sample may come after the release
-NEAR, LATER = 0.03, 0.03  # s around the release that are tried; play hides the first of a fall
+NEAR, LATER = 0.03, 0.15  # s around the release that are tried: a hand that gives way by 2 deg/s
+# before it lets go looks like the first of a fall
 STEP = 0.001  # s between the tried times of release
-POWERS = (0, 2, 3, 4, 5)
+FALLING, HELD = (0, 1, 2, 3, 4, 5), (2, 3)  # powers of x that are followed after and before t0
+BY_HAND = (1, 6, 7)  # of these coefficients, those that a hand makes: speed, and what bends a hold
+SWAYS = tuple(np.radians((1.2, 0.6, 0.3)))  # rad, of each: 4 deg/s, as a hand trembles or gives way
 FEWEST = 8  # samples of the fall
 
 Table = NDArray[np.float64]
@@ -34,23 +42,26 @@ Table = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Release:
-    """The start of a fall. `fall` holds phi_s, a, b, c and e, with x in units of FALL."""
+    """The start of a fall. `fall` holds phi_s, v, a, b, c and e, with x in units of FALL."""
 
     start: Peak  # s, rad
     fall: Samples
-    covariance: Table  # of `fall`, with that of t0 behind it
+    covariance: Table  # of `fall`
 
     def derivative(self, order: int, after: Samples) -> tuple[Samples, Samples]:
         """d^order phi / dt^order `after` s into the fall, and their standard errors."""
         rows = fall_row(after / FALL, order) / FALL**order
-        error = np.sqrt(np.einsum("ti,ti->t", rows @ self.covariance[:-1, :-1], rows))
+        error = np.sqrt(np.einsum("ti,ti->t", rows @ self.covariance, rows))
         return rows @ self.fall, error
 
     def steepest(self) -> tuple[float, float, float]:
-        """Where its first part accelerates most towards flexion: s after t0, rad/s^2, error."""
+        """Where its first part accelerates most towards flexion, of the places that noise hides no
+        more than the polynomial does, else of the surest: s after t0, rad/s^2, error.
+        """
         tried = np.linspace(0.0, HALF, 11)
         values, errors = self.derivative(2, tried)
-        at = int(np.argmin(values))
+        clear = errors <= np.maximum(MISSED * np.abs(values), errors.min())
+        at = int(np.argmin(np.where(clear, values, np.inf)))
         value = float(values[at])
         return float(tried[at]), value, float(np.hypot(errors[at], MISSED * value))
 
@@ -84,19 +95,27 @@ def about(track: Track, extent: Extent) -> tuple[float, float, float]:
 
 
 def fall_row(x: Samples, order: int = 0) -> Samples:
-    """A derivative of 1, x^2, x^3, x^4 and x^5."""
-    return np.stack([perm(power, order) * one for power, one in powers_of(x, order)], axis=-1)
+    """A derivative of 1, x, x^2, x^3, x^4 and x^5 (last axis)."""
+    return derivatives(x, FALLING, order)
 
 
-def powers_of(x: Samples, less: int = 0) -> Iterator[tuple[int, Samples]]:
-    """Each of POWERS, and x to so many `less` than it, by products: a power takes ten times as
-    long.
-    """
-    found, so_far = np.ones_like(x), 0
-    for power in POWERS:
-        while so_far < power - less:
-            found, so_far = found * x, so_far + 1
-        yield power, found
+def model_row(x: Samples, order: int = 0) -> Samples:
+    """What every coefficient does to the angle, or to its first derivative, at x (last axis)."""
+    after, before = np.maximum(x, 0), np.minimum(x, 0)
+    parts = (x, FALLING[:2]), (after, FALLING[2:]), (before, HELD)
+    return np.concatenate([derivatives(part, powers, order) for part, powers in parts], axis=-1)
+
+
+def derivatives(x: Samples, powers: Sequence[int], order: int) -> Samples:
+    each = [perm(power, order) * x ** max(power - order, 0) for power in powers]
+    return np.stack(each, axis=-1)
+
+
+def believed(track: Track) -> Table:
+    """A row for each of SWAYS, which a sample's noise weighs: what a hand does is 0 within them."""
+    rows = np.zeros((len(SWAYS), len(FALLING) + len(HELD)))
+    rows[range(len(SWAYS)), BY_HAND] = track.noise / np.array(SWAYS)
+    return rows
 
 
 def followed(track: Track, begin: Samples) -> tuple[slice, NDArray[np.bool_]]:
@@ -104,9 +123,9 @@ def followed(track: Track, begin: Samples) -> tuple[slice, NDArray[np.bool_]]:
     and which of them belong to each.
     """
     time = track.time
-    used = slice(*np.searchsorted(time, [begin.min() - FALL, begin.max() + FALL]))
+    used = slice(*np.searchsorted(time, [begin.min() - HOLD, begin.max() + FALL]))
     since = time[used] - begin[:, None]
-    inside = (since > -FALL) & (since < FALL)
+    inside = (since > -HOLD) & (since < FALL)
     if (np.count_nonzero(inside & (since >= 0), axis=1) < FEWEST).any():
         raise NotAllowed(f"cut during the fall: fewer than {FEWEST} samples follow the release")
     return used, inside
@@ -115,42 +134,41 @@ def followed(track: Track, begin: Samples) -> tuple[slice, NDArray[np.bool_]]:
 def misfits(track: Track, tried: Samples) -> Samples:
     """The sums of squares for each release that is `tried`."""
     used, inside = followed(track, tried)
-    x = np.where(inside, np.maximum(track.time[used] - tried[:, None], 0) / FALL, 0.0)
-    columns = np.stack([one for _, one in powers_of(x)], axis=1)
-    columns[:, 0] = inside
-    basis = orthonormal(columns)
+    x = np.where(inside, (track.time[used] - tried[:, None]) / FALL, 0.0)
+    columns = np.where(inside[..., None], model_row(x), 0.0)
+    prior = np.broadcast_to(believed(track), (tried.size, *believed(track).shape))
+    basis = orthonormal(np.swapaxes(np.concatenate([columns, prior], axis=1), 1, 2).copy())
     angle = np.where(inside, track.angle[used] - track.angle[used].mean(), 0.0)
-    along = (basis @ angle[..., None])[..., 0]
+    along = (basis[..., : angle.shape[1]] @ angle[..., None])[..., 0]
     return (angle**2).sum(axis=1) - (along**2).sum(axis=1)
 
 
 def refined(track: Track, begin: float) -> tuple[Release, float]:
     """The fall from `begin`, and by how much later [s] a release would fit it best."""
     used, (inside,) = followed(track, np.array([begin]))
-    time, angle = track.time[used][inside], track.angle[used][inside]
-    x = np.maximum(time - begin, 0) / FALL
-    table = fall_row(x)
-    fall = np.asarray(np.linalg.lstsq(table, angle, rcond=None)[0], dtype=float)
-    columns = np.column_stack([table, -(fall_row(x, 1) @ fall) / FALL])  # d phi / d t0
-    inverse = np.linalg.pinv(columns)
-    covariance = track.noise**2 * inverse @ inverse.T
+    x = (track.time[used][inside] - begin) / FALL
+    prior = believed(track)
+    table = np.concatenate([model_row(x), prior])
+    angle = np.concatenate([track.angle[used][inside], np.zeros(len(prior))])
+    found = np.asarray(np.linalg.lstsq(table, angle, rcond=None)[0], dtype=float)
+    left = angle - table @ found
+    moved = np.concatenate([-(model_row(x, 1) @ found) / FALL, np.zeros(len(prior))])
+    inverse = np.linalg.pinv(np.column_stack([table, moved]))  # d phi / d t0 last
+    free = max(x.size - table.shape[1], 1)
+    rough = max(1.0, float(np.linalg.norm(left)) / track.noise / free**0.5)
+    covariance = (rough * track.noise) ** 2 * inverse @ inverse.T
     errors = np.sqrt(np.diag(covariance))
-    at = nearest(track, begin)
-    error = float(np.hypot(errors[0], swayed(track, begin)))
-    start = Peak(at, begin, float(errors[-1]), float(fall[0]), error)
-    return Release(start, fall, covariance), float((inverse @ (angle - table @ fall))[-1])
+    tremble = unfollowed(left[: x.size][x < 0], track.noise)
+    speed = max(found[1] ** 2 - errors[1] ** 2, 0.0) ** 0.5 / FALL  # beyond what noise does
+    error = float(np.linalg.norm([errors[0], tremble, LETTING * speed]))
+    start = Peak(nearest(track, begin), begin, float(errors[-1]), float(found[0]), error)
+    falling = slice(0, len(FALLING))
+    release = Release(start, found[falling], covariance[falling, falling])
+    return release, float((inverse @ left)[-1])
 
 
-def swayed(track: Track, begin: float) -> float:
-    """How far a hand moved the leg from its mean over the hold that is followed [rad], by a
-    parabola's value at its end; 0 where it moved it no more than the noise may.
+def unfollowed(left: Samples, noise: float) -> float:
+    """By how much a hand that trembles moves the leg [rad], beside what is followed of the hold and
+    what noise does.
     """
-    held = slice(*np.searchsorted(track.time, [begin - FALL, begin]))
-    time = track.time[held]
-    if time.size < FEWEST:
-        return 0.0
-    x = 1 - 2 * (begin - time) / (begin - time[0])
-    moved = legfit(x, track.angle[held], 2)[1:]  # each is 1 at the end
-    errors = track.noise * np.sqrt(np.array([3, 5]) / time.size)
-    sure = np.hypot(*(moved / errors)) > SURE
-    return float(np.hypot(*moved)) if sure else 0.0
+    return float(np.sqrt(max(np.mean(left**2) - noise**2, 0.0))) if left.size else 0.0
