@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.estimate import fit
-from exoid.physics.leg import LegModel
+from exoid.physics.leg import GRAVITY, LegModel
 from exoid.physics.torque import MeasuredTorque, NoTorque
 from exoid.recordings.recording import Protocol, Recording, Subject
 from fit_cases import NOISE, exact, leg, state
@@ -89,3 +89,34 @@ def test_without_a_mass_no_distance_is_told_however_near_the_axis_it_is():
     for name in ("mass", "com_distance"):
         assert found.parameters[name].value is None
         assert "only the product m l" in (found.parameters[name].reason or "")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("zero_deg", [0.0, -4.0])
+def test_a_known_mass_tells_the_inertia_of_a_pendulum_that_hardly_loses_energy(zero_deg):
+    """With a wrong inertia its loaded drop is out of step after seconds, and no step leads back."""
+    bare, loads, time = leg(1.7, 0.158, 0.265, 0.02, 0.0), (0.0, 0.0, 0.5), np.arange(1200) * 0.01
+    noise = np.random.default_rng(3).normal(size=(len(loads), time.size))
+    drops = [
+        exact(
+            LegModel(bare.with_added_mass(*map(jnp.asarray, (load, 0.38))), NoTorque()),
+            state(-0.2),
+            time,
+        )
+        for load in loads
+    ]
+    seen = tuple(
+        replace(
+            drop,
+            raw_angle=drop.raw_angle + np.radians(zero_deg) + NOISE.angle_noise * own,
+            raw_angular_velocity=None,
+        )
+        for drop, own in zip(drops, noise, strict=True)
+    )
+    point = {"added_mass_distance": 0.38, "added_mass_gyration": 0.0}
+    subject = Subject(kind="rig", spring="none", added_mass=loads, **point)
+    found = fit(Recording(seen, subject, Protocol(kind="passive"), NOISE), multistart=4)
+    inertia, gravity = found.parameters["inertia"], found.ratios["gravity_over_inertia"]
+    assert found.follows
+    assert inertia.value == pytest.approx(0.158, rel=0.015)  # a mass is known to 0.5 %
+    assert gravity.value == pytest.approx(1.7 * 0.265 * GRAVITY / 0.158, rel=1e-3)  # clock: 0.02 %

@@ -123,12 +123,18 @@ def weightless(each: Movement, these: NDArray[np.bool_], **changed: Any) -> Move
     return with_channels(each, lambda samples: np.where(these, np.nan, samples), **changed)
 
 
+def angle_of_leg(each: Movement) -> Samples:
+    """The angle as it was measured, before any chain [rad]."""
+    part = each.segment
+    angle = part.angle if part.raw_angle is None else part.raw_angle
+    assert angle is not None  # a Segment has one or the other
+    return angle
+
+
 @remembered  # of most widths twice
 def smoothed_motion(each: Movement, width: float) -> tuple[Samples, Samples]:
     """Angle and angular velocity as the leg had them, before any chain, smoothed over `width` s."""
     part = each.segment
-    angle = part.angle if part.raw_angle is None else part.raw_angle
     gyro = part.angular_velocity if part.raw_angle is None else part.raw_angular_velocity
-    assert angle is not None  # a Segment has one or the other
-    smooth, slope = local_line(part.time, angle, width)
+    smooth, slope = local_line(part.time, angle_of_leg(each), width)
     return smooth, slope if gyro is None else local_line(part.time, gyro, width)[0]

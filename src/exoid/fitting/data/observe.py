@@ -5,22 +5,22 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import make_interp_spline
 
-from exoid.fitting.data.movement import Movement, smoothed_motion
+from exoid.fitting.data.guide import guide_of
+from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observation import Clock, Observation
-from exoid.fitting.data.pace import parts_of, unhurried
+from exoid.fitting.data.pace import parts_of
 from exoid.fitting.data.time_jitter import TimeJitter
 from exoid.fitting.model.systematics import SOMEWHERE, beside_unplaced
 from exoid.physics.cycle_shape import cycle_shape
 from exoid.physics.motion.step import Drive
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import stands, torque_frequencies
-from exoid.recordings.signal.local_line import interpolated, local_line
+from exoid.recordings.signal.local_line import interpolated
 
 LONGEST_STEP = 0.02  # s; a gap or slow sampling is bridged by samples that weigh nothing
 LITTLE = 0.01  # of a torque, that lines between its samples may lose
 SPLINE = 5  # order of a smooth torque's spline
 STANDS = 30  # samples in a row of one value: noise of a third of a step makes one of 1000 as long
-GUIDE_WIDTH = 0.06  # s, over which angle and velocity are smoothed to guide a start
 
 
 def observe(movements: list[Movement], reading: str) -> Observation:
@@ -89,9 +89,7 @@ def one_observation(
         angle_weight[at[standing(each.angle)]] = 0.0
     rate, rate_noise = each.angular_velocity, each.velocity_noise
     velocity, velocity_weight = placed(rate, rate_noise, each.gyro_jitter)
-    width = unhurried(each, GUIDE_WIDTH)
-    guide, _ = smoothed_motion(each, width)
-    slope = local_line(own, guide, width)[1]  # of the angle itself, whatever the gyro says
+    guide, slope = guide_of(each)
     return Observation(
         time=time,
         angle=angle,

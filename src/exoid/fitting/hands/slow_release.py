@@ -9,8 +9,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from exoid.fitting.data.guide import GUIDE_WIDTH
 from exoid.fitting.data.movement import Movement, smoothed_motion
-from exoid.fitting.data.observe import GUIDE_WIDTH
 from exoid.fitting.hands.first_instants import differ
 from exoid.fitting.hands.last_instants import LOUD, Fitted, misses
 from exoid.fitting.misfit.missed import NOISY, Missed

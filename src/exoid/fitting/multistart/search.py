@@ -15,7 +15,12 @@ from exoid.fitting.multistart.hold_to_declared import held, without_excuses
 from exoid.fitting.multistart.join_terms import join_terms
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.multistart.settle import settle
-from exoid.fitting.multistart.simpler_problems import as_declared, without_scale, without_terms
+from exoid.fitting.multistart.simpler_problems import (
+    as_declared,
+    with_zero_free,
+    without_scale,
+    without_terms,
+)
 from exoid.fitting.multistart.starts import coordinates, usual_mounting
 from exoid.fitting.multistart.tethers import COARSE, FINE, tethers, within_reach, without_thrust
 from exoid.fitting.multistart.weight_by_kind import alone, explained, explained_apart
@@ -100,10 +105,10 @@ def led_to_the_data(
 
 
 def swings_freely(problem: Problem) -> bool:
-    """Is it a leg that swings by itself? Its first second tells how all of it goes on. That of a
-    rig that a motor moves may tell nothing, and what is driven later then runs away.
+    """Does it swing by itself, leg or pendulum? Its first second tells how all of it goes on. That
+    of what a motor moves may tell nothing, and what is driven later then runs away.
     """
-    return not problem.belief.rig and set(problem.kinds) == {"passive"}
+    return set(problem.kinds) == {"passive"}
 
 
 def let_go(problem: Problem, gathered: Coordinates, horizon: int) -> Coordinates:
@@ -112,8 +117,8 @@ def let_go(problem: Problem, gathered: Coordinates, horizon: int) -> Coordinates
     A tie hides what a leg gets wrong. All of the motion and all that recordings own would make it
     leap from there, and take many steps to come back.
     """
-    declared = as_declared(without_scale(problem))
-    free = advance(declared, gathered, task(problem, 0.0, horizon, COARSE))
+    freer = with_zero_free(without_scale(problem))
+    free = advance(freer, gathered, task(problem, 0.0, horizon, COARSE))
     arrived = np.isfinite(free.loss)
 
     def chosen(new: np.ndarray, old: np.ndarray) -> np.ndarray:

@@ -36,6 +36,15 @@ def as_declared(problem: Problem) -> Problem:
     return replace(problem, known=replace(problem.known, mounting=declared))
 
 
+def with_zero_free(problem: Problem) -> Problem:
+    """`as_declared` but for the zero of the encoder: that of a rig may be degrees off, and a swing
+    about another middle than the one it is taken for passes for a heavier or a lighter one.
+    """
+    declared = as_declared(problem).known
+    mounting = replace(declared.mounting, zero=problem.known.mounting.zero)
+    return replace(problem, known=replace(declared, mounting=mounting))
+
+
 def without_terms(problem: Problem) -> Problem:
     """The same by Eq. 9 alone, whose program is the fastest."""
     if not problem.terms:
