@@ -10,7 +10,7 @@ from exoid.fitting.estimate import fit
 from exoid.fitting.result.fit_result import RIVALS, Estimate
 from exoid.recordings.recording import Segment
 from exoid.trust.directions import in_words
-from exoid.trust.identify import identify
+from exoid.trust.identify import identify, scale_remark
 from exoid.trust.reversal import reversals
 from fit_cases import BODY, CYCLE, DROP, LOADED, NOISE, one, recorded
 
@@ -80,6 +80,17 @@ def test_a_drop_that_was_only_recorded_loaded_is_called_singular(loaded_fit, loa
         changes["damping"] * (inertia + added), rel=2e-2
     )
     assert any("singular" in sentence for sentence in loaded.sentences)
+
+
+def test_only_a_mass_that_was_always_on_is_said_to_be_in_every_segment(loaded_fit):
+    def said(result):
+        assert result.basis is not None
+        return " ".join(scale_remark(result.basis, inertia_told=False))
+
+    assert "in every segment" in said(loaded_fit)
+    apart = said(fit(recorded(DROP, LOADED), multistart=2))
+    assert "in every segment" not in apart
+    assert "different known masses do not fix the scale" in apart
 
 
 def test_what_else_a_cause_may_be_is_in_every_error_that_is_shown(bare):

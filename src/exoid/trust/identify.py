@@ -137,6 +137,11 @@ def scale_remark(basis: Basis, inertia_told: bool) -> list[str]:
         return []
     if any(each.kind == "measured" for each in movements):
         return ["the measured torque varied too little to fix the scale: J stays open."]
+    if len({each.load for each in movements}) > 1:
+        return [
+            "movements with different known masses do not fix the scale here: J stays open. Check "
+            "the masses and their distances, or hang on a heavier one."
+        ]
     return [
         "the known mass was on the leg in every segment, so its inertia and the leg's cannot be "
         "told apart (singular): add a drop of the bare leg."

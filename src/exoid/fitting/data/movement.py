@@ -100,6 +100,12 @@ class Movement:
         """Is it unknown where the added mass sat?"""
         return self.added_mass > 0 and bool(np.isnan(self.added_mass_distance))
 
+    @property
+    def load(self) -> tuple[float, float | None]:
+        """The added mass [kg] and where it sat [m], None of none and where that is unknown."""
+        placed = self.added_mass > 0 and not self.unplaced
+        return self.added_mass, self.added_mass_distance if placed else None
+
 
 def all_driven(movements: Sequence[Movement]) -> bool:
     """Was the torque of all of them measured?"""

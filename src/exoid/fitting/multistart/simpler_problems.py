@@ -15,8 +15,7 @@ def without_scale(problem: Problem) -> Problem:
     in every segment. Along what is flat a search may go anywhere.
     """
     each = problem.movements
-    loads = {(one.added_mass, None if one.unplaced else one.added_mass_distance) for one in each}
-    if len(loads) > 1 or any(one.kind == "measured" for one in each):
+    if len({one.load for one in each}) > 1 or any(one.kind == "measured" for one in each):
         return problem
     return with_inertia_kept(problem)
 
