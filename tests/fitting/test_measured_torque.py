@@ -7,6 +7,7 @@ from scipy.integrate import solve_ivp
 from exoid.fitting.estimate import fit
 from exoid.recordings.recording import Protocol, Recording, Segment, Subject
 from exoid.trust.identify import identify
+from fit_cases import DROP, recorded
 
 INERTIA, GRAVITY_MOMENT, DAMPING, STIFFNESS = 0.42, 10.33, 0.6, 3.0  # kg m^2, N m, SI
 ADULT = Subject(kind="leg", body_mass=75.0, height=1.78)
@@ -51,3 +52,41 @@ def test_what_a_torque_drove_is_not_asked_whether_it_was_passive():
     told = identify(fit(led(0.0), multistart=4))
     assert told.reversals == []
     assert "really passive" not in " ".join(told.sentences)
+
+
+def moved(zero: float) -> Recording:
+    """A leg that a motor moves by slow and quick sines, its torque read off by a zero [N m]."""
+    generator, time = np.random.default_rng(8), np.arange(1500) / 100
+    rates = 2 * np.pi * np.array([0.13, 0.31, 0.83, 1.9])
+    sizes = np.radians([14.0, 8.0, 4.0, 2.0])
+    phases = np.multiply.outer(time, rates) + np.array([0.4, 2.1, 3.3, 5.0])
+    angle = np.radians(-55.0) + np.sin(phases) @ sizes
+    velocity, acceleration = np.cos(phases) @ (rates * sizes), -np.sin(phases) @ (rates**2 * sizes)
+    torque = INERTIA * acceleration + DAMPING * velocity
+    torque += GRAVITY_MOMENT * np.cos(angle) + STIFFNESS * angle
+    segment = Segment(
+        time=time,
+        raw_angle=angle + generator.normal(0, np.radians(0.03), time.size),
+        applied_torque=torque + zero + generator.normal(0, 0.01, time.size),
+    )
+    return Recording((segment,), ADULT, Protocol(kind="measured"))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("zero", [0.0, 1.0])
+def test_errors_hold_where_a_torque_sensor_reads_off(zero):
+    """A steady torque of a tenth of m l g passes for a softer spring and a heavier leg."""
+    result = fit(moved(zero), multistart=4)
+    for name, truth in (("stiffness", STIFFNESS), ("gravity", GRAVITY_MOMENT)):
+        ratio = result.ratios[f"{name}_over_inertia"]
+        assert abs(ratio.value - truth / INERTIA) < 2.5 * ratio.standard_error
+        assert ratio.standard_error < 0.4 * truth / INERTIA
+    assert (result.ratios["stiffness_over_inertia"].limited_by or {})["torque_zero"] > 0.3
+    assert any("the torque sensor's zero limits" in each for each in result.notes)
+    assert any("--with torque_bias" in each for each in result.notes)
+
+
+def test_a_drop_has_no_torque_sensor():
+    result = fit(recorded(DROP), multistart=2)
+    assert "torque_zero" not in (result.ratios["gravity_over_inertia"].limited_by or {})
+    assert not any("torque sensor" in each for each in result.notes)

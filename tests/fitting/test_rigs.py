@@ -113,8 +113,13 @@ def test_a_known_mass_tells_the_inertia_of_a_pendulum_that_hardly_loses_energy(z
         )
         for drop, own in zip(drops, noise, strict=True)
     )
-    point = {"added_mass_distance": 0.38, "added_mass_gyration": 0.0}
-    subject = Subject(kind="rig", spring="none", added_mass=loads, **point)
+    subject = Subject(
+        kind="rig",
+        spring="none",
+        added_mass=loads,
+        added_mass_distance=0.38,
+        added_mass_gyration=0.0,
+    )
     found = fit(Recording(seen, subject, Protocol(kind="passive"), NOISE), multistart=4)
     inertia, gravity = found.parameters["inertia"], found.ratios["gravity_over_inertia"]
     assert found.follows

@@ -53,6 +53,7 @@ from exoid.fitting.result.remarks.slack_angle import (
     left_open,
     slack_angle_remarks,
 )
+from exoid.fitting.result.remarks.torque_zero import off_by_torque_zero
 from exoid.fitting.result.remarks.zero_remarks import of_far_zeros
 from exoid.fitting.result.untold import doubted_scale, without_lost, without_scale
 from exoid.fitting.solve.ask import around, finite, take
@@ -76,11 +77,11 @@ def describe(
     basis = Basis(problem, ended, information_at(problem, ended, leaning))
     plain = estimate_ratios(basis, at_bound)
     odds, steps = at_odds(problem, ended), led_astray(problem, ended)
-    beside = slanted(problem, ended)
+    beside, zeros = slanted(problem, ended), off_by_torque_zero(problem, ended)
     ratios = {
-        name: each.widened(steps.get(name, 0.0), least=odds.get(name, 0.0)).widened(
-            beside.get(name, 0.0), cause="tilt"
-        )
+        name: each.widened(steps.get(name, 0.0), least=odds.get(name, 0.0))
+        .widened(beside.get(name, 0.0), cause="tilt")
+        .widened(zeros.get(name, 0.0), cause="torque_zero")
         for name, each in plain.items()
     }
     parameters = estimate_leg(basis, ratios, at_bound)

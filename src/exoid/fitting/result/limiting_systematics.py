@@ -10,6 +10,7 @@ from exoid.fitting.model.systematics import SLANT
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.fit_result import Estimate, FitResult, MountingFit
 from exoid.fitting.result.remarks.tilt_or_zero import either
+from exoid.fitting.result.remarks.torque_zero import zeros_of_torque
 from exoid.fitting.solve.problem import Problem
 
 WORTH = 0.3  # of a variance, from which on a systematic is named
@@ -19,6 +20,7 @@ WORDS = {
     "gyro_scale": "the gyro's scale",
     "gyro_bias": "the gyro's bias",
     "clock": "the clock",
+    "torque_zero": "the torque sensor's zero",
     "added_mass": "the weight of the added mass",
     "added_mass_distance": "the distance of the added mass",
     "added_mass_gyration": "the extent of the added mass",
@@ -30,6 +32,7 @@ ADVICE = {
     "gyro_scale": "turn the node by a known angle and give gyro_scale_uncertainty",
     "gyro_bias": "keep the node still for a while before the release",
     "clock": "compare the clock with a true one and give clock_uncertainty",
+    "torque_zero": "take off what it reads with nothing on it, or estimate it: --with torque_bias",
     "added_mass": "weigh the added mass to 0.1 % and give added_mass_uncertainty_kg",
     "added_mass_distance": "measure where it sits and give added_mass_distance_uncertainty_m",
     "added_mass_gyration": "give added_mass_gyration_m, or use a compact weight",
@@ -85,7 +88,8 @@ def limited_anew(result: FitResult, before: FitResult) -> FitResult:
 
 def granted(problem: Problem) -> list[str]:
     """How well what no sidecar says is taken to be known, in one sentence."""
-    said = []
+    zero = zeros_of_torque(problem).max()
+    said = [f"the torque sensor's zero to {zero:.2g} N m"] if zero and problem.gain_known else []
     for name, words, shown in GRANTED:
         each = [
             getattr(one.systematics, name)

@@ -132,11 +132,14 @@ def declared_at(problem: Problem, at: Solved, row: int = 0) -> Grams:
     return dict.fromkeys(CAUSES, declared(residual, declared_slopes(point, prior)))
 
 
-def sensed(problem: Problem, point: Coordinates) -> Sensed:
-    """Residual and sensitivities of every sample at a point."""
+def sensed(problem: Problem, point: Coordinates, steady: np.ndarray | None = None) -> Sensed:
+    """Residual and sensitivities of every sample at a point; with the response of every segment to
+    a `steady` torque over J [rad/s^2].
+    """
     seen = problem.observation
-    none = np.zeros((len(problem.movements), 0, seen.time.shape[1] - 1))
-    missing = Drive(none, none, none)
+    pushes = np.zeros((len(problem.movements), 0)) if steady is None else steady[:, None]
+    each = np.repeat(pushes[:, :, None], seen.time.shape[1] - 1, axis=2)
+    missing = Drive(each, each, each)
     return run_sense(point, seen, problem.known, missing, problem.free, problem.chain)
 
 

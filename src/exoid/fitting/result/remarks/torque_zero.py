@@ -1,0 +1,70 @@
+"""How far a fit is off whose measured torque reads other than zero where none acts.
+
+Such a zero u is a torque that acts all the time. Around a fit without it, which moves by
+dz = -(A'A + P)^-1 A'b u for it, the residual r and the response b tell it as
+
+    u = -b'r / (1 / s^2 + b'b - b'A (A'A + P)^-1 A'b),
+
+s being its standard deviation and P what is believed. A tilt of the seat, an encoder's zero and a
+spring's slack angle make nearly the same torque: the fit takes what it cannot tell apart for those.
+"""
+
+import numpy as np
+
+from exoid.fitting.data.movement import Movement
+from exoid.fitting.misfit.neighbourhood import columns
+from exoid.fitting.misfit.uncertainty import VAGUE
+from exoid.fitting.multistart.search_result import SearchResult
+from exoid.fitting.solve.ask import sensed
+from exoid.fitting.solve.problem import Problem
+
+# Of the greatest torque of a recording: 1 % of a range that is five times what is used of it, and
+# the weight of a lever that nobody took off.
+ZERO_OF_TORQUE = 0.05
+
+
+def zeros_of_torque(problem: Problem) -> np.ndarray:
+    """One standard deviation of that of every recording [N m]; 0 where no torque is measured."""
+    return np.array([ZERO_OF_TORQUE * max(map(greatest, own)) for own in problem.recordings])
+
+
+def greatest(each: Movement) -> float:
+    """The greatest torque that was measured [N m]."""
+    torque = each.segment.applied_torque if each.kind == "measured" else None
+    return 0.0 if torque is None else float(np.nanmax(np.abs(torque)))
+
+
+def off_by_torque_zero(problem: Problem, ended: SearchResult) -> dict[str, float]:
+    """How far every quantity may be off by it; nothing where no torque is measured."""
+    deviation = zeros_of_torque(problem)
+    if not deviation.any():
+        return {}
+    known, crossed, square, slope = normal_equations(problem, ended, deviation)
+    moved = np.linalg.solve(known, crossed.T)  # by a zero of one deviation
+    told = 1 / (1 + square - np.sum(crossed * moved.T, axis=1))
+    each = ended.local.quantities @ moved * np.hypot(told * slope, np.sqrt(told))
+    return dict(zip(problem.quantities, np.linalg.norm(each, axis=1), strict=True))
+
+
+def normal_equations(
+    problem: Problem, ended: SearchResult, deviation: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """A'A + P, and of the zero of every recording A'b, b'b and b'r, by one deviation of it."""
+    found, local, owner = ended.disturbance, ended.local, np.asarray(problem.observation.owner)
+    driven = np.array([kind == "measured" for kind in problem.kinds])
+    per_inertia = driven * deviation[owner] / np.exp(ended.point.shared.log_inertia)
+    seen = sensed(problem, ended.point, per_inertia)
+    size = len(local.prior)
+    known, crossed = local.prior + VAGUE * np.eye(size), np.zeros((len(deviation), size))
+    square, slope = np.zeros((2, len(deviation)))
+    scales = found.scale * found.weighing(problem.kinds)
+    for number, place in enumerate(columns(ended.point, owner)):
+        rows = seen.columns[number].reshape(len(place), -1) / scales[number]
+        response, residual = (
+            each[number].ravel() / scales[number] for each in (seen.responses[:, 0], seen.residual)
+        )
+        known[np.ix_(place, place)] += rows @ rows.T
+        crossed[owner[number], place] += rows @ response
+        square[owner[number]] += response @ response
+        slope[owner[number]] += response @ residual
+    return known, crossed, square, slope
