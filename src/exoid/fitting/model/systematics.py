@@ -31,6 +31,9 @@ FARTHEST = 0.05  # of a rate: a polled loop, or a nominal rate that was taken fo
 WEIGHED = 5e-3  # of the added mass: a kitchen scale
 PLACED = 5e-3  # m, its distance, by tape
 GYRATION = 0.05  # m, half-normal radius of gyration of weights and cuffs about their own centre
+# Of the greatest torque of a recording: 1 % of a range that is five times what is used of it, and
+# the weight of a lever that nobody took off.
+ZERO_OF_TORQUE = 0.05
 MEASURED_GYRATION = 0.1  # of a declared radius of gyration
 
 
@@ -112,6 +115,12 @@ def own_deviations(movements: Sequence) -> dict[str, float]:
     else:
         found["log_distance"] = first.distance / np.mean(placed) if placed and min(placed) else 1.0
     return {name: value or 1.0 for name, value in found.items()}
+
+
+def zero_of_torque(movements: Sequence) -> float:
+    """One standard deviation of that of a recording [N m]; 0 where no torque is measured."""
+    driven = [one.segment.applied_torque for one in movements if one.kind == "measured"]
+    return ZERO_OF_TORQUE * max((float(np.nanmax(np.abs(each))) for each in driven), default=0.0)
 
 
 def is_exact(one, name: str, movements: Sequence) -> bool:

@@ -6,11 +6,10 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.model.systematics import SLANT
+from exoid.fitting.model.systematics import SLANT, zero_of_torque
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.fit_result import Estimate, FitResult, MountingFit
 from exoid.fitting.result.remarks.tilt_or_zero import either
-from exoid.fitting.result.remarks.torque_zero import zeros_of_torque
 from exoid.fitting.solve.problem import Problem
 
 WORTH = 0.3  # of a variance, from which on a systematic is named
@@ -88,7 +87,7 @@ def limited_anew(result: FitResult, before: FitResult) -> FitResult:
 
 def granted(problem: Problem) -> list[str]:
     """How well what no sidecar says is taken to be known, in one sentence."""
-    zero = zeros_of_torque(problem).max()
+    zero = max(map(zero_of_torque, problem.recordings))
     said = [f"the torque sensor's zero to {zero:.2g} N m"] if zero and problem.gain_known else []
     for name, words, shown in GRANTED:
         each = [

@@ -11,32 +11,17 @@ spring's slack angle make nearly the same torque: the fit takes what it cannot t
 
 import numpy as np
 
-from exoid.fitting.data.movement import Movement
 from exoid.fitting.misfit.neighbourhood import columns
 from exoid.fitting.misfit.uncertainty import VAGUE
+from exoid.fitting.model.systematics import zero_of_torque
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.solve.ask import sensed
 from exoid.fitting.solve.problem import Problem
 
-# Of the greatest torque of a recording: 1 % of a range that is five times what is used of it, and
-# the weight of a lever that nobody took off.
-ZERO_OF_TORQUE = 0.05
-
-
-def zeros_of_torque(problem: Problem) -> np.ndarray:
-    """One standard deviation of that of every recording [N m]; 0 where no torque is measured."""
-    return np.array([ZERO_OF_TORQUE * max(map(greatest, own)) for own in problem.recordings])
-
-
-def greatest(each: Movement) -> float:
-    """The greatest torque that was measured [N m]."""
-    torque = each.segment.applied_torque if each.kind == "measured" else None
-    return 0.0 if torque is None else float(np.nanmax(np.abs(torque)))
-
 
 def off_by_torque_zero(problem: Problem, ended: SearchResult) -> dict[str, float]:
     """How far every quantity may be off by it; nothing where no torque is measured."""
-    deviation = zeros_of_torque(problem)
+    deviation = np.array([zero_of_torque(own) for own in problem.recordings])
     if not deviation.any():
         return {}
     known, crossed, square, slope = normal_equations(problem, ended, deviation)
