@@ -171,7 +171,7 @@ def test_a_full_clock_of_a_table_is_mended_and_said(tmp_path):
 def test_a_clock_that_begins_again_otherwise_is_refused_with_a_way_out(tmp_path, behind):
     time = np.where(TIME < 4.0, TIME + 4290.0, TIME + 4290.0 - 2**32 * 1e-6 + behind)
     assert going_on(time) is None
-    with pytest.raises(ValueError, match="a column segment: 0 up to there, 1 from there on"):
+    with pytest.raises(ValueError, match=r"number them in a column segment|did the clock wrap"):
         loaded(tmp_path, np.where(TIME < 4.0, TIME, TIME - 4.0))
 
 

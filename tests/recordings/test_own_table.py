@@ -101,7 +101,8 @@ def channels(draw, columns):
     cell = st.text(st.characters(blacklist_categories=("C", "Zl", "Zp")))
     found = {"time": np.array(sorted(times))}
     for entry in known(Segment)[1:]:
-        upper = min(entry.metadata["upper"], 14.0)
+        # An angle that jumps by a turn has turns added.
+        upper = min(entry.metadata["upper"], 3.0 if "angle" in entry.name else 14.0)
         value = st.floats(-upper, upper) | st.just(np.nan)
         samples = np.array(draw(st.lists(value, min_size=size, max_size=size)))
         if entry.name == "angle" or draw(st.booleans()):
