@@ -308,7 +308,8 @@ def test_a_rig_let_go_below_its_rest_is_read_from_the_top_that_it_swings_to(hold
     top, start = below.angle(below.period / 2), found["start_angle"]
     assert abs(start.value - top) < 4 * start.standard_error < 8e-3
     assert found["period"].value == pytest.approx(below.period, rel=5e-4)
-    assert found["logarithmic_decrement_1"].value == pytest.approx(below.decrement, rel=2e-3)
+    decrement = found["logarithmic_decrement_1"]
+    assert abs(decrement.value - below.decrement) < 4 * decrement.standard_error < 0.02
 
 
 def test_a_real_knee_gives_what_knees_give(shared):
