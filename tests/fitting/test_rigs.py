@@ -91,6 +91,22 @@ def test_without_a_mass_no_distance_is_told_however_near_the_axis_it_is():
         assert "only the product m l" in (found.parameters[name].reason or "")
 
 
+def test_with_the_same_mass_always_on_it_no_ratio_of_the_bare_rig_is_told():
+    """Motion shows the two together: of the bare one it was told what the search began with."""
+    loaded = leg(1.7, 0.158, 0.265, 0.02, 0.0).with_added_mass(*map(jnp.asarray, (0.5, 0.38)))
+    drops = tuple(
+        exact(LegModel(loaded, NoTorque()), state(start), TIME[:400]) for start in (-0.2, -0.5)
+    )
+    subject = Subject(kind="rig", spring="none", added_mass=0.5, added_mass_distance=0.38)
+    found = fit(Recording(drops, subject, Protocol(kind="passive"), NOISE), multistart=2)
+    assert {each.value for each in found.ratios.values()} == {None}
+    assert "a drop without it" in (found.ratios["gravity_over_inertia"].reason or "")
+    alone = replace(subject, added_mass=None, added_mass_distance=None)
+    both = fit(Recording(drops, alone, Protocol(kind="passive"), NOISE), multistart=2)
+    gravity = GRAVITY * float(loaded.mass * loaded.com_distance / loaded.inertia)
+    assert both.ratios["gravity_over_inertia"].value == pytest.approx(gravity, rel=ALIKE)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("zero_deg", [0.0, -4.0])
 def test_a_known_mass_tells_the_inertia_of_a_pendulum_that_hardly_loses_energy(zero_deg):

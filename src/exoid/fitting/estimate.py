@@ -162,7 +162,10 @@ def fit(
         )
         if swinging is None:
             return result, []
-        return described(search_of(belief, swinging, best)), of_slow(swinging)
+        found = search_of(belief, swinging, best)
+        if upwards(*found):
+            raise ValueError(UPWARDS)
+        return described(found), of_slow(swinging)
 
     result, slow = fitted(belief)
     if handled and strange(result):

@@ -1,7 +1,7 @@
-"""A leg that moves as no leg of its body does: then no table of anatomy says anything of it.
+"""A leg that swings too fast for its body: then no table of anatomy says anything of it.
 
-A stump, a prosthesis or another person's height: what the tables expect, and the limits that they
-draw, would pull the ratios that its motion tells.
+A stump or a light prosthesis: what the tables expect, and the limits that they draw, would pull the
+ratios that its motion tells. One that swings too slowly has mass beyond its toes, which no leg has.
 """
 
 from dataclasses import replace
@@ -10,7 +10,7 @@ from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.prior import no_prior
 from exoid.fitting.model.prior_and_limits import limits_of
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.result.remarks.anatomy_remarks import unlike_anatomy
+from exoid.fitting.result.remarks.anatomy_remarks import STRANGE, from_anatomy
 from exoid.physics.anatomy.limits import anybody
 
 TELLING = "gravity_over_inertia"
@@ -18,20 +18,21 @@ LEFT_OUT = "none, for no leg of this body moves like this; expected would be"
 
 
 def strange(result: FitResult) -> bool:
-    """Is the leg that a fit has none of this body? Its tables may have bent it, and its error."""
-    return unlike(result, 0.0)
+    """Is the leg that a fit has too short for this body? Its tables may have bent it."""
+    return too_short(result, 0.0)
 
 
 def contradicted(result: FitResult) -> bool:
     """Does the motion contradict the tables of this body, by more than its error?"""
-    return unlike(result, result.ratios[TELLING].standard_error or 0.0)
+    return too_short(result, result.ratios[TELLING].standard_error or 0.0)
 
 
-def unlike(result: FitResult, error: float) -> bool:
+def too_short(result: FitResult, error: float) -> bool:
+    """Is J / (m l) less than that of all but one in a thousand legs of this body?"""
     gravity = result.ratios[TELLING].value
     if result.basis is None or gravity is None:
         return False
-    return bool(unlike_anatomy(result.basis.problem.belief, gravity, error))
+    return from_anatomy(result.basis.problem.belief, gravity, error) < -STRANGE
 
 
 def without_tables(belief: Belief) -> Belief:

@@ -55,7 +55,7 @@ from exoid.fitting.result.remarks.slack_angle import (
 )
 from exoid.fitting.result.remarks.torque_zero import off_by_torque_zero
 from exoid.fitting.result.remarks.zero_remarks import of_far_zeros
-from exoid.fitting.result.untold import doubted_scale, without_lost, without_scale
+from exoid.fitting.result.untold import doubted_scale, without_bare, without_lost, without_scale
 from exoid.fitting.solve.ask import around, finite, take
 from exoid.fitting.solve.problem import Problem
 from exoid.recordings.conventions.jumps import jumping
@@ -121,7 +121,7 @@ def describe(
         astray=why,
         basis=basis,
     )
-    told = without_lost(result)
+    told = without_bare(without_lost(result), problem)
     doubt = doubted_scale(told, problem, misplaced(problem, ended))
     if doubt is not None:
         told = without_scale(told, doubt)

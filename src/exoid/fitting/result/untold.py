@@ -19,6 +19,10 @@ UNLIKE = (
     "no leg of this body, as the tables of anatomy have it, moves like this: a drop with a known "
     "mass on the leg tells it"
 )
+TOGETHER = (
+    "the same mass was on in every segment, and nothing tells what it changes: add a drop without "
+    "it, or leave it out of the sidecar, and the ratios are of both together"
+)
 GOES = ("over", "times")  # J: what motion alone tells of a parameter that goes with it
 
 
@@ -55,6 +59,18 @@ def without_lost(result: FitResult) -> FitResult:
         segments=[of_segment(each) for each in result.segments],
         torque_amplitude=without_value(mean, why) if mean is not None and driven & kinds else mean,
     )
+
+
+def without_bare(result: FitResult, problem: Problem) -> FitResult:
+    """The same without the ratios of what never moved without the same known mass on it, where
+    nothing tells J: motion shows those of both together.
+    """
+    loads = {one.load for one in problem.movements}
+    bare = len(loads) > 1 or not any(mass for mass, _ in loads)
+    if bare or result.parameters["inertia"].value is not None:
+        return result
+    ratios = {name: without_value(each, TOGETHER) for name, each in result.ratios.items()}
+    return replace(result, ratios=ratios)
 
 
 def doubted_scale(result: FitResult, problem: Problem, misplaced: Sequence[int]) -> str | None:
