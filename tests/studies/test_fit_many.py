@@ -124,7 +124,7 @@ def assert_close(one, other) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "name, why", [("still", "."), ("upside down", "gravity comes out upwards")]
+    ("name", "why"), [("still", "."), ("upside down", "gravity comes out upwards")]
 )
 def test_what_cannot_be_fitted_says_so_in_the_same_words(recordings, together, name, why):
     with pytest.raises(ValueError, match=why) as alone:
