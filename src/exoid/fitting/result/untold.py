@@ -69,7 +69,10 @@ def without_bare(result: FitResult, problem: Problem) -> FitResult:
     bare = len(loads) > 1 or not any(mass for mass, _ in loads)
     if bare or result.parameters["inertia"].value is not None:
         return result
-    ratios = {name: without_value(each, TOGETHER) for name, each in result.ratios.items()}
+    ratios = {
+        name: without_value(each, TOGETHER) if each.value else each  # none is none, whatever J is
+        for name, each in result.ratios.items()
+    }
     return replace(result, ratios=ratios)
 
 
