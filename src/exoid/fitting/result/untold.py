@@ -70,7 +70,7 @@ def without_bare(result: FitResult, problem: Problem) -> FitResult:
     if bare or result.parameters["inertia"].value is not None:
         return result
     ratios = {
-        name: without_value(each, TOGETHER) if each.value else each  # none is none, whatever J is
+        name: each if each.value == 0 else without_value(each, TOGETHER)  # none, whatever J is
         for name, each in result.ratios.items()
     }
     return replace(result, ratios=ratios)
