@@ -55,9 +55,9 @@ def refined(belief: Belief, found: FitResult, model: Model = DEFAULT) -> Belief:
     now = knowledge_of(belief, model)
     if now.phase == Phase.MOVING:
         raise ValueError("the leg moves: refine the belief when the movement has ended.")
-    known = seated(belief, model)
-    values, errors = told(known)
-    one = known.level
+    believed = seated(belief, model)
+    values, errors = told(believed)
+    one = believed.level
     batch, others = of_fit(found)
     with jax.enable_x64(True):
         slope = np.asarray(slopes(one.mean))
