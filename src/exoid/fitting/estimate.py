@@ -1,6 +1,7 @@
 """`fit`: from recordings of one leg to its parameters."""
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from typing import Literal
 
@@ -169,9 +170,10 @@ def fit(
 
     result, slow = fitted(belief)
     if handled and strange(result):
-        untabled, beside = fitted(without_tables(belief))
-        if untabled.follows and contradicted(untabled):
-            result, slow = untabled, beside
+        with suppress(ArithmeticError, ValueError):  # where it finds no leg, the first one stands
+            untabled, beside = fitted(without_tables(belief))
+            if untabled.follows and contradicted(untabled):
+                result, slow = untabled, beside
     aside = [*amount.notes, *left_out(amount.parts, movements)]
     return with_aside(result, [*aside, *slow])
 
