@@ -44,7 +44,7 @@ def test_a_reflex_of_the_first_swings_is_among_what_they_may_be():
         Sensors(angle_noise=float(NOISE), velocity_noise=GYRO_NOISE),
     )
     found = diagnose(recording, multistart=8)
-    told = {*found.selected, *(name for each in found.suspected for name in each.names)}
+    told = {*found.selected, *(name for each in found.suspected for name in each.terms)}
     assert "stretch_reflex" in told
     assert set(found.selected) <= {"stretch_reflex"}
     gravity = found.fit.ratios["gravity_over_inertia"]

@@ -95,6 +95,19 @@ def test_a_gyro_that_nobody_smoothed_is_not_called_so(rate, noise):
     assert np.degrees(found.level) == pytest.approx(noise, rel=0.3)
 
 
+@pytest.mark.parametrize("rate", [50, 100, 200])
+def test_a_gyro_that_play_holds_at_the_turns_is_not_called_smoothed(rate):
+    """It stands still while the play is crossed, and jumps: the jumps share nothing."""
+    time, gyro = turning(rate, np.radians(0.1), duration=6.0)
+    turns = np.flatnonzero(np.diff(np.sign(gyro)))
+    for turn in turns:
+        held = (time > time[turn]) & (time < time[turn] + 0.04)
+        gyro[held] = np.radians(0.1) * np.random.default_rng(turn).normal(size=held.sum())
+    found = noise_of([time], [gyro], None, swing=OF_RATE)
+    assert found.alike_over == 0
+    assert np.degrees(found.level) == pytest.approx(0.1, rel=0.35)
+
+
 def test_an_interpolated_angle_counts_with_the_noise_it_had_before():
     time, angle = sampled(30, np.radians(0.3), duration=12.0)
     dense = np.arange(0, time[-1], 0.01)

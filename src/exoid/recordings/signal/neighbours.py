@@ -90,6 +90,25 @@ def departures(
     return missed / np.sqrt(1 + np.sum(weights**2, axis=0))
 
 
+def jumps_of(known: Known, size: float, apart: float) -> NDArray[np.int_] | None:
+    """How many samples up to each are beside a jump by more than a `size`; None where there is
+    none, or where they are less than so many seconds `apart`, as the steps of an interpolation are.
+    """
+    inner, errors = known.errors()
+    near = inner.start + np.flatnonzero(np.abs(errors) > size)
+    count = np.sum(np.diff(near, prepend=-np.inf) > 2 * NEIGHBOURS)
+    if not count or count * apart > known.time[-1] - known.time[0]:
+        return None
+    return np.cumsum(np.bincount(near, minlength=known.time.size))
+
+
+def astride(jumps: NDArray[np.int_] | None, inner: slice, reach: int) -> NDArray[np.bool_]:
+    """Which of the inner samples have neighbours, as far as they reach, on both sides of a jump."""
+    if jumps is None:
+        return np.zeros(len(range(*inner.indices(inner.stop))), bool)
+    return jumps[beside(inner, reach)] > jumps[beside(inner, -reach)]
+
+
 def renew(errors: Samples, time: Samples, samples: Samples, gone: NDArray[np.int_]) -> None:
     """The errors of a signal that some samples are `gone` from, in place: only their neighbours'
     are others.

@@ -7,7 +7,7 @@ import numpy as np
 from exoid.recordings.recording import Sensors
 from exoid.recordings.samples import Samples, quantile
 from exoid.recordings.signal.both_sensors.play import Play
-from exoid.recordings.signal.neighbours import Known, known_of
+from exoid.recordings.signal.neighbours import NEIGHBOURS, Known, astride, jumps_of, known_of
 from exoid.recordings.signal.scatter import FAR, FEWEST, NONE, quantum, robust_deviation
 from exoid.recordings.signal.tone import Tone
 
@@ -20,6 +20,7 @@ SWING, QUICK = 0.2, 8.0  # rad, rad/s: how much, and how fast, a leg swings most
 OF_ANGLE, OF_RATE = SWING, SWING * QUICK  # rad, rad/s: how much the signal of a sensor swings then
 TELLING = 20_000  # samples of all segments, which tell a scatter to 0.6 %
 HINTING, HINT = 500, 0.7  # samples that tell it to 4 %, and the share of the limit to look closer
+TURN = 0.2  # s between jumps, at least on average: steps that come faster are of an interpolation
 QUIET = np.radians(0.003)  # of an angle: less than encoders and cameras on a leg scatter
 HEAVY = 1.15  # root mean square over robust deviation, from which on tails are worth a word
 
@@ -133,14 +134,21 @@ def smoothed(known: list[Known], step: float, white: float, swing: float) -> tup
 
     White noise shows the same beside neighbours far and near, smoothed noise ever more. As many
     independent errors as there are such stretches tell a mean as well as white noise would that is
-    larger by the root of the samples in a stretch.
+    larger by the root of the samples in a stretch. Neighbours on both sides of a jump (a release, a
+    catch, play at a turn) share nothing that smoothing left: they do not count.
     """
+    jumps = [jumps_of(each, FAR * white, TURN) for each in known]
     tried = np.unique(np.geomspace(2, max(WIDEST / step, 2), STRIDES).astype(int)).tolist()
 
     def scatter(stride: int, most: int) -> float:
         """nan where too few samples tell."""
-        found = np.concatenate([each.errors(stride, most // len(known))[1] for each in known])
-        return robust_deviation(found) if found.size >= 2 * FEWEST else np.nan
+        found = [each.errors(stride, most // len(known)) for each in known]
+        clear = [
+            errors[~astride(jump, inner, NEIGHBOURS * stride)]
+            for jump, (inner, errors) in zip(jumps, found, strict=True)
+        ]
+        told = np.concatenate(clear)
+        return robust_deviation(told) if told.size >= 2 * FEWEST else np.nan
 
     def shared(stride: int) -> float:
         bend = swing * (2 * np.sin(QUICK * stride * step / 2)) ** 6 / 20
