@@ -1,6 +1,7 @@
 """Recordings that others made, of legs that obey Eq. 9: people and devices unlike ours."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ from scipy.signal import butter, filtfilt
 
 import exoid
 from exoid.fitting.estimate import fit
+from exoid.fitting.model.systematics import TILT
 from exoid.recordings.loading.load import load
 
 # One of each: spastic, child, obese; camera, angle of an inertial sensor, encoder with a gyro; hum,
@@ -29,9 +31,12 @@ def truths(shared):
 @pytest.mark.proof
 @pytest.mark.parametrize("name", NAMES)
 def test_their_ratios_are_right_and_so_are_the_errors(name, truths, shared):
-    """`bound` is the least standard error that such data allow, with a zero known to 1 degree."""
-    truth = truths[name]
-    result = fit(load(shared / "others" / f"{name}.csv").recording, multistart=8)
+    """`bound` is the least standard error that such data allow, with a zero known to 1 degree, of a
+    leg without a foot.
+    """
+    truth, seen = truths[name], load(shared / "others" / f"{name}.csv").recording
+    level = replace(seen.protocol, thigh_angle_uncertainty=float(TILT))
+    result = fit(replace(seen, protocol=level), multistart=8)
     assert result.follows
     for ratio, value in truth["ratios"].items():
         found, bound = result.ratios[ratio], truth["bound"][ratio]

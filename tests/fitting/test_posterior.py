@@ -15,7 +15,7 @@ from exoid.fitting.errors.posterior import Posterior, r_hat, sample, to_netcdf
 from exoid.fitting.errors.posterior_density import log_density, posed
 from exoid.fitting.estimate import fit
 from exoid.fitting.misfit.uncertainty import whitening
-from exoid.fitting.model.systematics import WEIGHED
+from exoid.fitting.model.systematics import TILT, WEIGHED
 from exoid.physics.leg import GRAVITY
 from exoid.recordings.recording import Subject
 from fit_cases import CYCLE, DROP, LOADED, recorded
@@ -33,10 +33,17 @@ DETERMINED = ("inertia", "damping", "stiffness")
 RATIOS = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
 
 
+def session(said: float | None):
+    """Two drops, one with a known mass, of a leg of which anatomy is known; and how surely its
+    seat is said to be level [rad].
+    """
+    seen = recorded(DROP, LOADED)
+    return replace(seen, protocol=replace(seen.protocol, thigh_angle_uncertainty=said))
+
+
 @pytest.fixture(scope="module")
 def fitted():
-    """Two drops, one with a known mass, of a leg of which anatomy is known."""
-    return fit(recorded(DROP, LOADED), multistart=8)
+    return fit(session(float(TILT)), multistart=8)
 
 
 @pytest.fixture(scope="module")
@@ -86,6 +93,18 @@ def test_mean_and_deviation_are_the_fits_value_and_standard_error(fitted, drawn)
         # mean tell it better than as many independent ones, and the deviation no better.
         spread = float(arviz.ess(drawn.samples[name], method="sd"))
         assert deviation == pytest.approx(each.standard_error, rel=CHANCE / np.sqrt(2 * spread))
+
+
+@pytest.mark.proof
+def test_a_foot_that_nobody_ruled_out_is_in_the_draws_as_in_the_errors(drawn):
+    """The fit's are the mean square of a leg with one and of one without, by their odds."""
+    footed = fit(session(None), multistart=8)
+    loose = sample(footed, draws=500, warmup=100).samples
+    for name in RATIOS:
+        each, draws = footed.ratios[name], loose[name]
+        assert abs(draws.mean() - each.value) < 0.5 * each.standard_error
+        assert draws.std() == pytest.approx(each.standard_error, rel=0.25)
+    assert loose[RATIOS[0]].std() > 1.2 * drawn.samples[RATIOS[0]].std()
 
 
 def test_the_chains_agree(drawn):

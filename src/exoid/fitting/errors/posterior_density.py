@@ -36,9 +36,12 @@ from exoid.fitting.model.prior import (
     mounting_residual,
     term_log_jacobian,
 )
+from exoid.fitting.model.systematics import FOOT, SLANT
 from exoid.fitting.model.term_parameters import parameters_of, step_of, with_values
+from exoid.fitting.multistart.gross_errors import may_be_slanted
 from exoid.fitting.result.fit_result import Basis
 from exoid.fitting.solve.ask import around, take
+from exoid.fitting.solve.problem import Problem
 
 UNDETERMINED = 1e-3  # information per typical step squared, too little to sample along
 NARROW = 2e-4  # relative width of what a user fixed: chains cannot move along a surface
@@ -58,6 +61,7 @@ class Target(eqx.Module):
     stage: Stage
     prior: Prior
     limits: Limits
+    footed: Float[Any, " recording"]  # how probably a foot put its leg's line off its level seat
 
 
 def posed(basis: Basis) -> tuple[Target, np.ndarray]:
@@ -85,8 +89,17 @@ def posed(basis: Basis) -> tuple[Target, np.ndarray]:
         stage=problem.free,
         prior=prior,
         limits=limits,
+        footed=probably_footed(problem),
     )
     return target, vectors[:, ~kept]
+
+
+def probably_footed(problem: Problem) -> np.ndarray:
+    """Of every recording, whose tilt is no unknown or which says how level its seat was: 0."""
+    owned = "tilt" in problem.owned
+    footed = np.zeros(len(problem.recordings) if owned else 0)
+    footed[may_be_slanted(problem)] = FOOT
+    return footed
 
 
 def without_fixed(belief: Belief) -> tuple[Prior, Limits]:
@@ -156,7 +169,21 @@ def log_density(
     loss = sum(jnp.sum(part**2) for part in (data, *belief)) / 2 + target.tilt @ change
     within = violations_at(target.limits, point).max() <= 0
     volume = log_jacobian(prior, leg) + term_log_jacobian(prior, point)
-    return jnp.where(within, volume - loss, -jnp.inf)
+    likely = volume - loss + slanted_too(target, point.mounting.tilt)
+    return jnp.where(within, likely, -jnp.inf)
+
+
+def slanted_too(target: Target, tilt: Float[Array, " recording"]) -> Float[Array, ""]:
+    """log of p(tilt) over that of level seats alone: a part of all legs has a foot that puts their
+    line off, p = (1 - F) N(0, level) + F N(0, slant).
+    """
+    if target.prior.mounting is None or not tilt.size:
+        return jnp.zeros(())
+    level = target.prior.mounting.tilt
+    wider = jnp.log(level / SLANT) + tilt**2 * (1 / level**2 - 1 / SLANT**2) / 2
+    share = jnp.where(target.footed > 0, target.footed, 0.5)
+    each = jnp.logaddexp(jnp.log1p(-share), jnp.log(share) + wider)
+    return jnp.sum(jnp.where(target.footed > 0, each, 0.0))
 
 
 def points(target: Target, places: np.ndarray) -> Coordinates:

@@ -104,4 +104,4 @@ def follows_until(whole: Problem, there: Solved, number: int) -> int:
 def beyond_noise(window: np.ndarray) -> bool:
     """Is what is missed more than a drop may miss, and than its few samples do by chance?"""
     count, square = window.size, float(window @ window)
-    return square > max(FOLLOWS**2 * count, count + BY_CHANCE * np.sqrt(2 * count))
+    return square > max(FOLLOWS**2 * count, count + BY_CHANCE * float(np.sqrt(2 * count)))

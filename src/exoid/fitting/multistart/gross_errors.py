@@ -72,17 +72,21 @@ def slanted(problem: Problem, ended: SearchResult) -> dict[str, float]:
     Data that see this little do not ask for it, and take it for an encoder's zero.
     """
     variance = np.zeros(len(problem.quantities))
-    if problem.belief.rig or "tilt" not in problem.owned:
-        return dict(zip(problem.quantities, variance, strict=True))
-    deviation = problem.deviation_of("tilt")
     total = ended.local.data + ended.local.prior
-    for entry in undeclared(problem, "tilt"):
-        if deviation[entry] < SLANT:
-            seen = found(problem, ended.best, 0, entry, total)
-            gain = seen.likelihood(SLANT) - seen.likelihood(deviation[entry])
-            odds = 1 / (1 + np.exp(-gain) * (1 / FOOT - 1))
-            variance += odds * off(problem, ended, entry, total)
+    for entry in may_be_slanted(problem):
+        seen = found(problem, ended.best, 0, entry, total)
+        gain = seen.likelihood(SLANT) - seen.likelihood(problem.deviation_of("tilt")[entry])
+        odds = 1 / (1 + np.exp(-gain) * (1 / FOOT - 1))
+        variance += odds * off(problem, ended, entry, total)
     return dict(zip(problem.quantities, np.sqrt(variance), strict=True))
+
+
+def may_be_slanted(problem: Problem) -> list[int]:
+    """The recordings of legs whose line a foot may put off, of which nobody says how far."""
+    if problem.belief.rig or "tilt" not in problem.owned:
+        return []
+    level = problem.deviation_of("tilt")
+    return [entry for entry in undeclared(problem, "tilt") if level[entry] < SLANT]
 
 
 def off(problem: Problem, ended: SearchResult, entry: int, total: np.ndarray) -> np.ndarray:

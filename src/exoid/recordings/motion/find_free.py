@@ -61,11 +61,16 @@ def find_free(
 def first_movement(signal: Signal, speed: Speed) -> tuple[int, int]:
     """The first and last sample of the first stretch that moves.
 
+    What moves less before a fall is a hand that sways; what moves less before a lift is the drop.
+
     **Raises** `Motionless`.
     """
     smooth, noise = smoothed(signal, speed.width)
-    sway = min(SWAY, MINOR * float(np.ptp(smooth)))
-    return first_beyond(speed, signal.samples, max(TRAVEL, CLEAR * noise, sway))
+    sway, least = min(SWAY, MINOR * float(np.ptp(smooth))), max(TRAVEL, CLEAR * noise)
+    first, last = first_beyond(speed, signal.samples, max(least, sway))
+    if smooth[last] < smooth[first]:
+        return first, last
+    return first_beyond(speed, signal.samples, least)
 
 
 @remembered  # the same where the noise of the same samples is another
@@ -118,6 +123,8 @@ def fallen_after(signal: Signal, speed: Speed, first: int) -> int:
     if not gone.any():
         return first
     there = first + int(np.argmax(gone))
+    if smooth[there] > smooth[first]:
+        return first  # lifted
     since = SINCE * SWAY / max(abs(speed.velocity[there]), speed.still)
     about = signal.time[there] - since
     if about - signal.time[first] <= max(HOLD, speed.width):
