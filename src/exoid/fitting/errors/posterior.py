@@ -62,8 +62,8 @@ def sample(
     C shrinks the directions that a disturbance widened more, so that `data` curves as the fit's
     information does, and its slope at the best fit is kept (Ribatet, Cooley & Davison, Statistica
     Sinica 22, 2012). C is 1 where only noise is in the residual. Where nobody says how level a seat
-    is, every other leg has a foot that puts its line off, as for the errors of the fit. What nothing determines, as m of a
-    rig, is left out. `warmup` adapts the step alone.
+    is, every other leg has a foot that puts its line off, as for the errors of the fit. What
+    nothing determines, as m of a rig, is left out. `warmup` adapts the step alone.
 
     **Raises** `ValueError` for a result without one fit (`fit_each`), where packages are missing,
     or where the limits leave no room.
