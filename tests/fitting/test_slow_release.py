@@ -7,8 +7,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit, movements_of
-from exoid.fitting.hands.slow_release import begun, fastest
-from exoid.mismatch.conclude.verdict.cannot_tell import hands
+from exoid.fitting.hands.first_swing import fastest
+from exoid.fitting.hands.slow_release import begun
+from exoid.mismatch.conclude.verdict.begins_and_ends import begins_and_ends, what_next
 from exoid.mismatch.prepare import prepare
 from exoid.recordings.loading.named import named_recordings
 from exoid.recordings.recording import Protocol, Recording, Segment, Subject
@@ -124,4 +125,6 @@ def test_a_drop_without_swings_after_it_stays_refused():
 def test_a_diagnosis_that_finds_nothing_in_the_swings_speaks_of_the_hand():
     named = named_recordings(drop(0.5))
     prepared, _ = prepare(fit(named, multistart=STARTS), named, ())
-    assert "a hand lets go slowly" in hands(prepared)[0]
+    movements = prepared.problem.movements
+    assert "a hand lets go slowly" in begins_and_ends(movements)[0]
+    assert what_next(movements) == ["Let go at once."]

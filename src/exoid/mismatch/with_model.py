@@ -94,7 +94,8 @@ def unclaimed(found: Diagnosis, reasons: list[str]) -> Diagnosis:
     own, best = just_made(found).found, just_made(found).best
     each = likely(own)
     nothing: dict[str, Any] = {"findings": [], "novel": False, "formula": None}
-    suspected, then = suspects(own, each, best), advice(each[:2], "cannot_tell", None)
+    suspected = suspects(own, each, best)
+    then = advice(each[:2], "cannot_tell", None, own.prepared.segments)
     more: dict[str, Any] = {"suspected": suspected, "advice": then}
     return replace(found, verdict="cannot_tell", reasons=reasons, **nothing, **more)
 
@@ -112,8 +113,9 @@ def beside_a_hand(later: Diagnosis, whole: Diagnosis) -> Diagnosis:
         f"or it is {named}, which predicts all of it to {left} deg (Eq. 9: {all_} deg), by 'exoid "
         f"fit {terms}': a hand and this look alike where they act but once a drop"
     )
+    segments = work.found.prepared.segments
     suspected = [*later.suspected, *suspects(work.found, [work.best], work.best)]
-    then = [*later.advice, *advice([work.best], "cannot_tell", None)]
+    then = [*later.advice, *advice([work.best], "cannot_tell", None, segments)]
     return replace(
         later, reasons=[*later.reasons, why], suspected=suspected, advice=list(dict.fromkeys(then))
     )

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,9 @@ from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.noise import Noise
+
+# A hand from the release on, or what acts on a leg once it is fast, as a reflex; or either.
+KeptBack = Literal["hand", "speed", "unknown"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +47,8 @@ class Movement:
     absent: tuple[str, ...] = ()  # what of Eq. 9 a rig does not have: gravity, stiffness
     gain_known: bool = True  # of the measured torque; else its unit is any
     late: int = 0  # samples from the first that weigh nothing, though nobody was seen to hold it
-    slow: float = 0.0  # s that were left out behind its release: a hand let go slowly
+    slow: float = 0.0  # s that were left out behind its release: something kept the leg back ...
+    kept_back: KeptBack = "unknown"  # ... which was this
     kept: int | None = None  # samples after which a hand holds it that only a fit has seen
     filter: str = UNTOLD  # which filter its filtered channels went through
     filter_told: bool = True  # and does the recording say so?

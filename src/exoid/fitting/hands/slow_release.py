@@ -1,7 +1,8 @@
-"""A drop whose hand let go slowly, or moved as it let go: from when on did the leg swing by itself?
+"""A drop that something keeps back in its first swing: from when on did the leg swing by itself?
 
 In its fall alone such a leg is hardly told from another leg. But no hand that lets go turns a leg
-around at the bottom: from there on it swings freely, and often since it was fastest.
+around at the bottom: from there on it swings freely, and often since it was fastest. A reflex that
+only a fast leg trips is over by then, too.
 """
 
 from collections.abc import Callable
@@ -9,17 +10,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.fitting.data.guide import GUIDE_WIDTH
-from exoid.fitting.data.movement import Movement, smoothed_motion
+from exoid.fitting.data.movement import Movement
 from exoid.fitting.hands.first_instants import differ
+from exoid.fitting.hands.first_swing import bottom, fastest, kept_back_by
+from exoid.fitting.hands.kept_back import AS, NEXT
 from exoid.fitting.hands.last_instants import LOUD, Fitted, misses
 from exoid.fitting.misfit.missed import NOISY, Missed
 from exoid.recordings.motion.acceleration import derivatives, free_until
 from exoid.recordings.motion.signal import Signal
-from exoid.recordings.motion.thresholds import CLEAR, SWAY, TRAVEL
-from exoid.recordings.signal.condition import cut, reversals
-
-TURNS = 2  # after the bottom: the least that tells how a leg swings by itself
+from exoid.recordings.signal.condition import cut
 
 Instant = Callable[[Movement], int]
 
@@ -46,7 +45,8 @@ def without_slow_release(
         if not follows(found) or not swings_freely(found):
             continue
         if not bent or differ(movements, whole[1], later, found[1]):
-            return later
+            by = kept_back_by(movements, *found)
+            return [replace(each, kept_back=by) if each.slow else each for each in later]
     return None
 
 
@@ -62,25 +62,6 @@ def swings_freely(found: Fitted) -> bool:
     drops = [number for number, each in enumerate(problem.movements) if each.kind == "passive"]
     loud = any(np.nanmean(misses(problem, ended.best, n) ** 2) > LOUD**2 for n in drops)
     return left.cause != "torque" and left.noise < NOISY and not loud
-
-
-def bottom(each: Movement) -> int:
-    """The sample at which a drop first turns around; 0 where too few turns follow."""
-    if each.extent is None or each.kind != "passive":
-        return 0
-    smooth, _ = smoothed_motion(each, GUIDE_WIDTH)
-    clear = CLEAR * each.angle_noise
-    turns = reversals(smooth, max(SWAY, clear))
-    if not turns or len(reversals(smooth[turns[0] :], max(TRAVEL, clear))) < TURNS:
-        return 0
-    return turns[0]
-
-
-def fastest(each: Movement) -> int:
-    """The sample at which a drop is fastest on its way to the bottom."""
-    first = bottom(each)
-    speed = np.abs(smoothed_motion(each, GUIDE_WIDTH)[1])
-    return int(np.argmax(speed[: first + 1])) if first else 0
 
 
 def begun(each: Movement, count: int) -> Movement:
@@ -118,11 +99,13 @@ def free_until_hand(each: Movement, count: int) -> int:
 
 def of_slow(movements: list[Movement]) -> list[str]:
     """A note of the drops that begin behind their release; `slow` of each says how far."""
-    since = [f"{each.name} from {each.segment.begins:.2f} s" for each in movements if each.slow]
-    if not since:
+    slow = [each for each in movements if each.slow]
+    if not slow:
         return []
+    since = [f"{each.name} from {each.segment.begins:.2f} s" for each in slow]
+    longest, by = max(each.slow for each in slow), slow[0].kept_back
     return [
-        "the drops begin as where a hand lets go slowly, or moves as it lets go, or a muscle holds "
-        "the leg: no leg falls like this that swings as they do afterwards. The numbers come from "
-        f"these swings alone: segment {', '.join(since)} on. Let go at once."
+        f"the first {longest:.2f} s behind the release were left out: in its first swing the leg "
+        f"is kept back, {AS[by]}. No leg falls like this that swings as it does afterwards, and "
+        f"the numbers come from these swings alone: segment {', '.join(since)} on. {NEXT[by]}"
     ]

@@ -284,6 +284,7 @@ def segment_fit(basis: Basis, number: int, torque: Estimate | None) -> SegmentFi
         simulated_velocity=velocity,
         begins=each.segment.begins,
         conditions=find_conditions(basis.problem, basis.ended, number),
+        left_out=each.slow,
     )
 
 

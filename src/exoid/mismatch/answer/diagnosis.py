@@ -112,6 +112,7 @@ class Diagnosis:
     weight: Annotated[float | None, "1"] = None
     suspected: list[Suspect] = field(default_factory=list)  # what it may be, where more than one
     advice: list[str] = field(default_factory=list)
+    but_ends: bool = False  # is nothing missing but where movements begin or end?
     # None where it was read from a file
     workings: Workings | None = field(default=None, metadata={"saved": False})
 

@@ -17,6 +17,7 @@ FELT = 2.0  # standard errors by which a cause that is hardly seen must move a n
 LARGE = 0.1  # share of the variance, from which on a cause is worth a word
 SUSPECTS = 4  # causes of which it is said what they would change
 SUSPECT = 0.5  # share of the mismatch that a cause must explain to be worth a recording
+REPEATED = 3  # segments that show what comes back already
 REPEAT = (
     "Repeat the same movement several times: what comes back each time is physics, what does not "
     "was an event."
@@ -159,13 +160,17 @@ def value_of(name: str, fit: FitResult) -> float | None:
     return (fit.ratios | fit.of_leg)[name].value
 
 
-def advice(rivals: list[Optimum], verdict: Verdict, formula: Formula | None) -> list[str]:
-    """What to record next, to tell `rivals` apart."""
+def advice(
+    rivals: list[Optimum], verdict: Verdict, formula: Formula | None, segments: int
+) -> list[str]:
+    """What to record next, to tell `rivals` apart, beside so many segments."""
     if verdict == "none":
         return []
+    more = [] if segments >= REPEATED else [REPEAT]
     if formula is not None:
-        return [REPEAT, ONE_AT_A_TIME]
+        return [*more, ONE_AT_A_TIME]
     terms = dict.fromkeys(term for one in rivals for term in one.candidate.terms)
     if verdict == "mismatch" and len(rivals) < 2 and not any(term.twin for term in terms):
         return []
-    return [f"To tell {term.title} apart: {term.isolate}." for term in terms] or [REPEAT]
+    apart = [f"To tell {term.title} apart: {term.isolate}." for term in terms]
+    return apart or more or [ONE_AT_A_TIME]

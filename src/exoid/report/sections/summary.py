@@ -20,6 +20,7 @@ from exoid.report.words.astray import astray
 from exoid.report.words.diagnosis import cause, certainty
 from exoid.report.words.diagnosis.asserted import only_sensors, only_usual
 from exoid.report.words.diagnosis.verdict import verdict
+from exoid.report.words.left_out import left_out
 from exoid.report.words.text import capital, in_degrees, in_words
 
 BELIEF = {
@@ -104,6 +105,10 @@ def agreement(case: Case) -> Group:
     partly = of_the_rest(fit.segments, fit.disturbance)
     if partly:
         return card(question, "open", "A part of it only.", sentence(partly[0]))
+    if without := left_out(fit.segments):
+        return card(
+            question, "open", "What was fitted of it only.", f"Left out: {without}. {because}"
+        )
     if fit.disturbance.cause is None:
         return card(question, "good", "Yes, within the noise.", because)
     if little(case):

@@ -20,6 +20,7 @@ from exoid.report.tables.leg import (
 from exoid.report.tables.table import print_table
 from exoid.report.words.astray import astray
 from exoid.report.words.estimate import AT_BOUND, written
+from exoid.report.words.left_out import left_out
 from exoid.report.words.text import aligned, by_reason, capital, heading, in_degrees, note, say
 from exoid.trust.identifiability import Identifiability
 
@@ -99,6 +100,8 @@ def print_quality(result: FitResult, console: Console) -> None:
     if result.velocity_rmse is not None:
         lines["velocity RMSE"] = f"{in_degrees(result.velocity_rmse)} deg/s"
     lines["samples"] = amount(result)
+    if without := left_out(result.segments):
+        lines["left out"] = without
     if result.torque_frequency is not None:
         lines["torque frequency"] = reading(result)
     aligned(console, lines)

@@ -56,36 +56,6 @@ def broken(prepared: PreparedRecording) -> list[str]:
     return [said] if said else []
 
 
-def hands(prepared: PreparedRecording) -> list[str]:
-    """That nobody can say why begins and ends of movements differ from the rest."""
-    late = [each for each in prepared.problem.movements if each.late]
-    slow = [each for each in prepared.problem.movements if each.slow]
-    kept = [each.name for each in prepared.problem.movements if each.kept is not None]
-    reasons = []
-    if late:
-        longest = max(float(each.segment.time[each.late]) for each in late)
-        names = ", ".join(each.name for each in late)
-        reasons.append(
-            f"nothing is missing but in the first {longest:.2f} s of segment {names}: the "
-            "recording begins as the leg is let go, and a hand, soft cuffs and play all begin like "
-            "this. Record from 0.3 s before the release on"
-        )
-    if slow:
-        longest = max(each.slow for each in slow)
-        names = ", ".join(each.name for each in slow)
-        reasons.append(
-            f"nothing is missing but in the first {longest:.2f} s behind the release of segment "
-            f"{names}, as where a hand lets go slowly or moves as it lets go, or a muscle holds "
-            "the leg. Let go at once"
-        )
-    if kept:
-        reasons.append(
-            f"nothing is missing but at the end of segment {', '.join(kept)}, where a hand may "
-            "have stopped the leg, or friction. Leave it alone until it hangs still"
-        )
-    return reasons
-
-
 def unremembered(prepared: PreparedRecording) -> list[str]:
     """That a leg which begins in motion may remember what nobody recorded."""
     begun = [one.name for one in prepared.problem.movements if one.extent and one.extent.in_motion]

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.result.fit_result import FitResult
-from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque
+from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Verdict
 from exoid.mismatch.conclude.asserted import (
     certain_of,
     equivalents,
@@ -64,7 +64,8 @@ def concluded(
     lucky = by_chance(found, best, seed)
     case = Case(result, found, best, formula, certain, equal, bias is not None)
     judged = judge(case, shown, repeated, lucky)
-    verdict, maybe = judged.verdict, judged.unseen or likely(found)
+    verdict, then = judged.verdict, judged.then
+    maybe = judged.unseen or ([] if then else likely(found))
     novel = verdict == "mismatch" and formula is not None
     biased = [BIAS] if bias is not None and verdict != "cannot_tell" else []
     inertia = float(np.exp(leg_of(found, best).log_inertia))
@@ -96,9 +97,19 @@ def concluded(
         sensors=prepared.sensors.errors,
         before=result,
         suspected=suspects(found, suspected, best),
-        advice=[] if too_little(prepared) else advice(equal or maybe[:2], verdict, formula),
+        advice=then or advised(found, equal or maybe[:2], verdict, formula),
+        but_ends=bool(then),
         workings=Workings(found, best),
     )
+
+
+def advised(
+    found: Found, rivals: list[Optimum], verdict: Verdict, formula: Formula | None
+) -> list[str]:
+    """What to record next, where the recording showed enough to say so."""
+    if too_little(found.prepared):
+        return []
+    return advice(rivals, verdict, formula, found.prepared.segments)
 
 
 def novel_torque(found: Found, formula: Formula, best: Optimum) -> NovelTorque:

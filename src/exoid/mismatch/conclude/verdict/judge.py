@@ -9,12 +9,12 @@ from exoid.mismatch.answer.diagnosis import Verdict
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.conclude.numbers import leg_of, taken_in
 from exoid.mismatch.conclude.rivals import hidden, of_hidden
+from exoid.mismatch.conclude.verdict.begins_and_ends import begins_and_ends, what_next
 from exoid.mismatch.conclude.verdict.cannot_tell import (
     broken,
     chance,
     faint,
     filtered_away,
-    hands,
     luck,
     once,
     too_little,
@@ -52,6 +52,7 @@ class Judgement:
     verdict: Verdict
     reasons: list[str]
     unseen: list[Optimum]  # what may hide where nothing is missing
+    then: list[str]  # to record, where nothing is missing but where movements begin or end
 
 
 def judge(case: Case, shown: Proof, repeated: float | None, lucky: Chance) -> Judgement:
@@ -69,7 +70,9 @@ def judge(case: Case, shown: Proof, repeated: float | None, lucky: Chance) -> Ju
         reasons = [*of_zeros(result, found.prepared), *of_what_hides(result)]
     if verdict == "mismatch" and (doubts := of_what_is_left(case)):
         verdict, reasons = "cannot_tell", doubts
-    return Judgement(verdict, reasons, unseen)
+    movements = found.prepared.problem.movements
+    but_ends = case.best is found.base and reasons == begins_and_ends(movements)
+    return Judgement(verdict, reasons, unseen, what_next(movements) if but_ends else [])
 
 
 def of_what_is_left(case: Case) -> list[str]:
@@ -103,7 +106,7 @@ def by_proof(
                 f"simulation and recording differ by {left**0.5:.2g} times the noise, but no cause "
                 "explains it clearly better than another"
             ]
-        doubts = hands(prepared)
+        doubts = begins_and_ends(prepared.problem.movements)
         return ("cannot_tell", doubts) if doubts else ("none", [])
     explained = explains_it(found, best)
     doubts = [

@@ -59,7 +59,8 @@ def is_chosen(one: Tested, found: Diagnosis) -> bool:
 
 def parted(found: Diagnosis) -> bool:
     """Is a torque missing, so that there are places where it is?"""
-    return not (found.verdict == "none" or only_sensors(found) or only_usual(found))
+    nothing = found.verdict == "none" or found.but_ends
+    return not (nothing or only_sensors(found) or only_usual(found))
 
 
 def ran_free(found: Diagnosis) -> list[Tested]:

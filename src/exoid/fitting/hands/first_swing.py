@@ -1,0 +1,94 @@
+"""What keeps a drop back in its first swing: a hand from its release on, or what a fast leg meets?
+
+A hand that lets go slowly, or leads the leg, carries it from the release on, and is off it once it
+is fastest. A stretch reflex begins a moment after the leg has become fast, and acts as it turns.
+Energy tells the two apart, of which neither the time of the release nor its shape is asked.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from exoid.fitting.data.guide import GUIDE_WIDTH
+from exoid.fitting.data.movement import KeptBack, Movement, smoothed_motion
+from exoid.fitting.misfit.equation import equation
+from exoid.fitting.misfit.residual import sensor_map
+from exoid.fitting.model.coordinates import Unknowns, of_owner, take
+from exoid.fitting.multistart.search_result import SearchResult
+from exoid.fitting.solve.problem import Problem
+from exoid.recordings.motion.thresholds import CLEAR, SWAY, TRAVEL
+from exoid.recordings.signal.condition import reversals
+
+TURNS = 2  # after the bottom: the least that tells how a leg swings by itself
+SLOW = 0.5  # of its greatest speed, up to which a leg is slow: a fifth of a second
+CARRIED = 0.3  # of the energy of a fall that a hand takes while the leg is slow: 0.37 and more of
+# hands that let go over 0.25 s and more or lead, 0.21 at most of legs that are let go at once
+BRAKED = 0.15  # of the energy of the fastest leg that is gone as it turns, and not by Eq. 9: 0.29
+# and more of reflexes that no fit of all follows, 0.02 at most of legs that a hand has left
+
+
+@dataclass(frozen=True)
+class FirstSwing:
+    """What is missing of a drop's energy as it falls, by the leg that swings afterwards."""
+
+    carried: float  # share of what the fall gave, while the leg is slow
+    braked: float  # share of what it had at its greatest speed, as it turns
+    speed: float  # rad/s, the greatest
+
+
+def bottom(each: Movement) -> int:
+    """The sample at which a drop first turns around; 0 where too few turns follow."""
+    if each.extent is None or each.kind != "passive":
+        return 0
+    smooth, _ = smoothed_motion(each, GUIDE_WIDTH)
+    clear = CLEAR * each.angle_noise
+    turns = reversals(smooth, max(SWAY, clear))
+    if not turns or len(reversals(smooth[turns[0] :], max(TRAVEL, clear))) < TURNS:
+        return 0
+    return turns[0]
+
+
+def fastest(each: Movement) -> int:
+    """The sample at which a drop is fastest on its way to the bottom."""
+    first = bottom(each)
+    speed = np.abs(smoothed_motion(each, GUIDE_WIDTH)[1])
+    return int(np.argmax(speed[: first + 1])) if first else 0
+
+
+def kept_back_by(whole: Sequence[Movement], problem: Problem, ended: SearchResult) -> KeptBack:
+    """What keeps these drops back, by the leg of a fit of what follows their first swings.
+
+    What a speed trips it trips in all that are as fast.
+    """
+    if problem.terms:
+        return "unknown"
+    each = [
+        first_swing(one, problem, ended, number) for number, one in enumerate(whole) if bottom(one)
+    ]
+    braked = [one for one in each if one.braked > BRAKED]
+    free = [one.speed for one in each if one.braked <= BRAKED]
+    if not braked:
+        return "hand"
+    carried = any(one.carried > CARRIED for one in each)
+    tripped = max(free, default=0.0) < min(one.speed for one in braked)
+    return "speed" if tripped and not carried else "unknown"
+
+
+def first_swing(each: Movement, problem: Problem, ended: SearchResult, number: int) -> FirstSwing:
+    """Energy over the inertia, and what Eq. 9 takes and gives along the measured motion."""
+    seen, point = take(problem.observation, number), ended.point
+    own = of_owner(point.mounting, seen.owner)
+    leg = equation(Unknowns(point.shared, own, take(point.own, number)), seen, problem.free).ratios
+    shown, rate = smoothed_motion(each, GUIDE_WIDTH)
+    angle = shown - float(sensor_map(own)[0])
+    pull = -leg.gravity * np.cos(angle + leg.thigh_angle) - leg.stiffness * angle
+    power = np.asarray(pull - leg.damping * rate) * rate
+    given = np.concatenate([[0.0], np.cumsum(power[1:] * np.diff(each.segment.time))])
+    energy, turn, top = rate**2 / 2, bottom(each), fastest(each)
+    slow = int(np.argmax(np.abs(rate) >= SLOW * abs(rate[top])))
+    return FirstSwing(
+        carried=1 - float(energy[slow] / given[slow]) if given[slow] > 0 else 0.0,
+        braked=float((energy[top] + given[turn] - given[top]) / energy[top]),
+        speed=float(abs(rate[top])),
+    )

@@ -1,0 +1,27 @@
+"""Which part of the drops a fit left out, in seconds and swings."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from exoid.fitting.result.fit_result import SegmentFit
+
+TURNING = 0.5  # of a segment's greatest speed, below which it begins at its turn
+TO_TURN = "the first flexion, half a swing"
+TO_FASTEST = "the first flexion up to its greatest speed, a quarter of a swing"
+
+
+def left_out(segments: Sequence[SegmentFit]) -> str:
+    """The first flexions that were not fitted; empty where all were."""
+    short = [each for each in segments if each.left_out > 0]
+    if not short:
+        return ""
+    names, longest = ", ".join(each.name for each in short), max(each.left_out for each in short)
+    part = TO_TURN if all(map(begins_at_turn, short)) else TO_FASTEST
+    return f"the first {longest:.2f} s behind the release of segment {names} ({part})"
+
+
+def begins_at_turn(each: SegmentFit) -> bool:
+    """Is it slow at its first sample?"""
+    speed = np.abs(each.simulated_velocity)
+    return bool(speed[0] < TURNING * np.nanmax(speed))
