@@ -37,3 +37,22 @@ def measured(angle, hertz, seed=0):
 
 def thrown(knee, strength, hertz):
     return measured(swung(knee, 0.0, START, 0.0, strength)[0], hertz)
+
+
+STEP = 2e-4  # s
+
+
+def stretched(knee, start, gain, threshold, delay):
+    """Angle at every millisecond of a leg whose muscle pulls by `gain` [1/s] times how much faster
+    than `threshold` [rad/s] it was stretched `delay` s ago.
+    """
+    every, late = round(1e-3 / STEP), round(delay / STEP)
+    angle, rate, rates, seen = start, 0.0, np.zeros(round(LASTING / STEP)), []
+    for number in range(rates.size):
+        rates[number] = rate
+        before = rates[number - late] if number >= late else 0.0
+        rate += STEP * (knee.pull(angle, rate) + gain * max(0.0, -before - threshold))
+        angle += STEP * rate
+        if number % every == 0:
+            seen.append(angle)
+    return np.array(seen)

@@ -15,6 +15,7 @@ from exoid.mismatch.conclude.asserted import (
     plainest,
     weight,
 )
+from exoid.mismatch.conclude.rivals import ONE_AT_A_TIME, REPEAT, advice
 from exoid.mismatch.conclude.verdict.cannot_tell import unrelaxed
 from exoid.mismatch.conclude.verdict.undecided import undecided
 from exoid.mismatch.evidence.prediction import Prediction, improves
@@ -303,6 +304,13 @@ def test_what_remembers_for_seconds_may_remember_what_nobody_recorded(term, doub
     reasons = unrelaxed(prepared, best)
     assert bool(reasons) == doubted
     assert not doubted or "Hold it still for 10 s" in reasons[0]
+
+
+@pytest.mark.parametrize(("segments", "then"), [(1, [REPEAT]), (5, [ONE_AT_A_TIME])])
+def test_nobody_is_told_to_repeat_what_was_repeated(segments, then):
+    assert advice([], "cannot_tell", None, segments) == then
+    twice = advice([], "mismatch", Formula((), np.array([]), 0.9, 0.0), segments)
+    assert (REPEAT in twice) == (segments == 1)
 
 
 def test_a_torque_over_j_is_given_for_the_inertia_of_the_diagnosis_with_its_whole_error():

@@ -260,3 +260,10 @@ def test_a_diagnosis_does_not_ask_for_a_diagnosis():
     lost = replace(found().before, astray="it misses the angle", notes=[f"{advice}."])
     assert "exoid diagnose" in astray(lost)
     assert astray(lost, diagnosed=True) == "Check units and signs."
+
+
+def test_what_lacks_nothing_but_its_begins_blames_no_sensor_and_names_no_place():
+    said = sentences(replace(doubtful(), best=doubtful().baseline, but_ends=True, sensors=[]))
+    assert "Where" not in said
+    assert headline(replace(doubtful(), but_ends=True)).startswith("Nothing is missing but where")
+    assert headline(doubtful()) == "Cannot tell from this recording."

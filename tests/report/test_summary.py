@@ -10,7 +10,7 @@ from test_fit_json import common
 
 from exoid.fitting.misfit.missed import Missed
 from exoid.fitting.result.fit_result import Estimate
-from exoid.report.sections.summary import believed, summary
+from exoid.report.sections.summary import agreement, believed, summary
 
 
 def told(diagnosis):
@@ -32,6 +32,16 @@ def test_what_is_missing_or_may_be_is_said_of_every_number(diagnosis):
     said = told(diagnosis)
     assert "Not entirely" in said
     assert "misses something, so no error bar is complete" in said
+
+
+@pytest.mark.parametrize("seconds", [0.0, 0.53])
+def test_a_card_that_says_yes_says_what_was_left_out(seconds):
+    case = made_up()
+    first, *others = case.fit.segments
+    cut = replace(first, left_out=seconds)
+    said = " ".join(map(str, agreement(replace(case, fit=replace(case.fit, segments=[cut, *others])))
+    assert (f"first 0.53 s behind the release of segment {first.name}" in said) == (seconds > 0)
+    assert ("a swing" in said) == (seconds > 0)
 
 
 def test_a_rate_is_in_degrees_as_in_the_words_above_the_table():

@@ -143,7 +143,10 @@ def lost(found: Diagnosis) -> Diagnosis:
     why = f"no model here follows the recording: {found.before.astray}"
     if not any(each.kind == "passive" for each in found.before.segments):
         return replace(found, reasons=[why, *found.reasons])
-    why += ". A hand that leads the leg or stops it, and what it strikes, are no physics of a leg"
+    why += (
+        ". A stretch reflex (spasticity) that differs from drop to drop, a hand that leads the leg "
+        "or stops it, and what it strikes are in no model"
+    )
     return replace(found, reasons=[why, *found.reasons], advice=[ALONE])
 
 

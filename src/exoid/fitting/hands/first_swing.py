@@ -57,22 +57,25 @@ def fastest(each: Movement) -> int:
 
 
 def kept_back_by(whole: Sequence[Movement], problem: Problem, ended: SearchResult) -> KeptBack:
-    """What keeps these drops back, by the leg of a fit of what follows their first swings.
-
-    What a speed trips it trips in all that are as fast.
+    """What keeps these drops back, by the leg of a fit of what follows their first swings; unknown
+    where that has more than Eq. 9.
     """
     if problem.terms:
         return "unknown"
-    each = [
-        first_swing(one, problem, ended, number) for number, one in enumerate(whole) if bottom(one)
-    ]
-    braked = [one for one in each if one.braked > BRAKED]
-    free = [one.speed for one in each if one.braked <= BRAKED]
+    drops = [number for number, each in enumerate(whole) if bottom(each)]
+    return by_energy([first_swing(whole[number], problem, ended, number) for number in drops])
+
+
+def by_energy(drops: Sequence[FirstSwing]) -> KeptBack:
+    """A hand leaves a leg before it is fastest. What a speed trips leaves a slow leg alone, and it
+    trips it in every drop that is as fast.
+    """
+    braked = [each.speed for each in drops if each.braked > BRAKED]
+    others = [each.speed for each in drops if each.braked <= BRAKED]
     if not braked:
         return "hand"
-    carried = any(one.carried > CARRIED for one in each)
-    tripped = max(free, default=0.0) < min(one.speed for one in braked)
-    return "speed" if tripped and not carried else "unknown"
+    carried = any(each.carried > CARRIED for each in drops)
+    return "unknown" if carried or max(others, default=0.0) >= min(braked) else "speed"
 
 
 def first_swing(each: Movement, problem: Problem, ended: SearchResult, number: int) -> FirstSwing:
