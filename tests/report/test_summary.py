@@ -39,7 +39,7 @@ def test_a_card_that_says_yes_says_what_was_left_out(seconds):
     case = made_up()
     first, *others = case.fit.segments
     cut = replace(first, left_out=seconds)
-    said = " ".join(map(str, agreement(replace(case, fit=replace(case.fit, segments=[cut, *others])))
+    said = str(agreement(replace(case, fit=replace(case.fit, segments=[cut, *others]))))
     assert (f"first 0.53 s behind the release of segment {first.name}" in said) == (seconds > 0)
     assert ("a swing" in said) == (seconds > 0)
 

@@ -25,7 +25,7 @@ SLOW = 0.5  # of its greatest speed, up to which a leg is slow: a fifth of a sec
 CARRIED = 0.3  # of the energy of a fall that a hand takes while the leg is slow: 0.37 and more of
 # hands that let go over 0.25 s and more or lead, 0.21 at most of legs that are let go at once
 BRAKED = 0.15  # of the energy of the fastest leg that is gone as it turns, and not by Eq. 9: 0.29
-# and more of reflexes that no fit of all follows, 0.02 at most of legs that a hand has left
+# and more of reflexes that no fit of all follows, 0.08 at most of legs that a hand has left
 
 
 @dataclass(frozen=True)
