@@ -40,7 +40,7 @@ def test_first_of_the_reasons_is_that_no_model_follows(astray, monkeypatch):
     one = replace(one, before=before, after=None, best=replace(one.best, terms=[]))
     told = with_model.by_eq9(one)
     reasons = told.reasons
-    first = f"no model here follows the recording: {astray}. A hand that leads the leg"
+    first = f"no model here follows the recording: {astray}. A stretch reflex"
     assert reasons[0].startswith(first) == (astray is not None)
     assert (told.advice == [with_model.ALONE]) == (astray is not None)
     assert ("± covers that it may be another cause" in reasons) == (astray is None)

@@ -95,7 +95,7 @@ def unclaimed(found: Diagnosis, reasons: list[str]) -> Diagnosis:
     each = likely(own)
     nothing: dict[str, Any] = {"findings": [], "novel": False, "formula": None}
     suspected = suspects(own, each, best)
-    then = advice(each[:2], "cannot_tell", None, own.prepared.segments)
+    then = advice(each[:2], "cannot_tell", None, len(found.before.segments))
     more: dict[str, Any] = {"suspected": suspected, "advice": then}
     return replace(found, verdict="cannot_tell", reasons=reasons, **nothing, **more)
 
@@ -113,7 +113,7 @@ def beside_a_hand(later: Diagnosis, whole: Diagnosis) -> Diagnosis:
         f"or it is {named}, which predicts all of it to {left} deg (Eq. 9: {all_} deg), by 'exoid "
         f"fit {terms}': a hand and this look alike where they act but once a drop"
     )
-    segments = work.found.prepared.segments
+    segments = len(later.before.segments)
     suspected = [*later.suspected, *suspects(work.found, [work.best], work.best)]
     then = [*later.advice, *advice([work.best], "cannot_tell", None, segments)]
     return replace(
