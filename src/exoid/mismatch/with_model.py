@@ -111,7 +111,7 @@ def beside_a_hand(later: Diagnosis, whole: Diagnosis) -> Diagnosis:
     terms = " ".join(f"--with {name}" for name in whole.selected)
     why = (
         f"or it is {named}, which predicts all of it to {left} deg (Eq. 9: {all_} deg), by 'exoid "
-        f"fit {terms}': a hand and this look alike where they act but once a drop"
+        f"fit {terms}': both look alike where they act but once a drop"
     )
     segments = len(later.before.segments)
     suspected = [*later.suspected, *suspects(work.found, [work.best], work.best)]
