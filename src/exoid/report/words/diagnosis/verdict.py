@@ -13,7 +13,7 @@ def headline(found: Diagnosis) -> str:
     if found.verdict == "none":
         return "Nothing is missing: simulation and recording agree within the noise."
     if found.but_ends:
-        return "Nothing is missing but where movements begin or end; what acts there is not told."
+        return "Nothing is missing but where movements begin or end."
     if found.verdict == "cannot_tell":
         return "Cannot tell from this recording."
     if found.novel:
