@@ -106,9 +106,8 @@ def agreement(case: Case) -> Group:
     if partly:
         return card(question, "open", "A part of it only.", sentence(partly[0]))
     if without := left_out(fit.segments):
-        return card(
-            question, "open", "What was fitted of it only.", f"Left out: {without}. {because}"
-        )
+        because = f"Left out: {without}. {because}"
+        return card(question, "open", "Yes, but for what was left out.", because)
     if fit.disturbance.cause is None:
         return card(question, "good", "Yes, within the noise.", because)
     if little(case):
