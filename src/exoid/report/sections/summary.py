@@ -88,12 +88,7 @@ def recording(case: Case) -> Group:
 
 def agreement(case: Case) -> Group:
     """How far the simulated leg is from the measured one."""
-    fit = case.fit
-    rmse, noise = fit.angle_rmse, fit.angle_noise
-    because = (
-        f"They differ by {in_degrees(rmse)} deg (RMSE of the angle), {rmse / noise:.3g} times the "
-        f"noise of the sensor, {in_degrees(noise)} deg."
-    )
+    fit, because = case.fit, difference(case.fit)
     question = "Does the simulated leg move as the measured one?"
     if not fit.follows:
         return card(
@@ -105,8 +100,7 @@ def agreement(case: Case) -> Group:
     partly = of_the_rest(fit.segments, fit.disturbance)
     if partly:
         return card(question, "open", "A part of it only.", sentence(partly[0]))
-    if without := left_out(fit.segments):
-        because = f"Left out: {without}. {because}"
+    if fit.disturbance.cause is None and left_out(fit.segments):
         return card(question, "open", "Yes, but for what was left out.", because)
     if fit.disturbance.cause is None:
         return card(question, "good", "Yes, within the noise.", because)
@@ -115,6 +109,16 @@ def agreement(case: Case) -> Group:
         return card(question, "good", answer, because)
     answer = "Not entirely: something is in the recording that the model does not have."
     return card(question, "care", answer, because)
+
+
+def difference(fit: FitResult) -> str:
+    """How far they are apart, and where nobody compared them."""
+    rmse, noise, without = fit.angle_rmse, fit.angle_noise, left_out(fit.segments)
+    apart = (
+        f"They differ by {in_degrees(rmse)} deg (RMSE of the angle), {rmse / noise:.3g} times the "
+        f"noise of the sensor, {in_degrees(noise)} deg."
+    )
+    return f"Left out: {without}. {apart}" if without else apart
 
 
 def unnamed(case: Case) -> bool:
