@@ -7,22 +7,23 @@ import numpy as np
 import pytest
 
 from exoid.fitting.estimate import fit
-from exoid.fitting.result.remarks.slack_angle import BENT, leaning
+from exoid.fitting.result.remarks.slack_angle import BENT, LEANING, leaning
+from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
 from exoid.recordings.recording import Sensors, Subject
 from legs import ADULT, BODY, drop, recording
 
 QUIET, LOUD = (8e-4, 0.0), (0.015, 0.0)  # rad; no gyro
 
 
-def fitted(slack=0.0, noise=QUIET, leg=ADULT, subject=BODY):
+def fitted(slack=0.0, noise=QUIET, leg=ADULT, subject=BODY, **how):
     sensors = Sensors(angle_noise=noise[0])
     made = drop(leg, slack=slack, noise=noise, gyro=False)
-    return fit(recording(made, sensors=sensors, subject=subject), multistart=2)
+    return fit(recording(made, sensors=sensors, subject=subject), multistart=2, **how)
 
 
 def leans(result):
     assert result.basis is not None
-    return leaning(result.basis.problem, result.basis.ended)
+    return leaning(result.basis)
 
 
 def noted(result):
@@ -38,24 +39,42 @@ def bent():
 def test_how_far_off_the_ratios_are_is_told_to_a_tenth(bent):
     found = leans(bent)
     assert found is not None
-    for change, name, true in (
-        (found.gravity, "gravity_over_inertia", ADULT[0]),
-        (found.stiffness, "stiffness_over_inertia", ADULT[1]),
-    ):
+    for name, true in zip(LEANING, ADULT, strict=False):
         each = bent.ratios[name]
         off = true - each.value
         assert abs(off) > 4 * each.standard_error
-        assert change == pytest.approx(off, abs=0.1 * abs(off) + each.standard_error)
+        assert found.off[name] == pytest.approx(off, abs=0.1 * abs(off) + each.standard_error)
+
+
+def test_what_goes_with_the_ratios_is_as_far_off_as_a_fit_that_knows_where_it_is_slack(bent):
+    """Anatomy believes of J / (m l): where m l g / J is less, J is more, and d and c with it."""
+    angle = {"stiffness_rest_angle.rest_angle": -float(BENT)}
+    knowing = fitted(-BENT, LOUD, terms=(StiffnessRestAngle,), fix=angle)
+    found = leans(bent)
+    assert found is not None
+    for name, each in bent.of_leg.items():
+        off = knowing.of_leg[name].value - each.value
+        assert found.off[name] == pytest.approx(off, rel=0.25, abs=0.3 * each.standard_error)
+        assert each.if_slack == pytest.approx(found.spread[name])
+    for name in ("inertia", "damping", "stiffness"):
+        assert found.off[name] > 0
+
+
+def test_what_is_fixed_by_hand_is_not_open():
+    found = fitted(-BENT, LOUD, fix={"inertia": 0.4})
+    assert found.parameters["inertia"].if_slack is None
+    assert found.parameters["stiffness"].if_slack is not None
 
 
 def test_a_fit_that_cannot_see_it_says_what_it_would_change(bent):
     (said,) = noted(bent)
     found = leans(bent)
     assert found is not None
-    assert f"m l g / J is {-found.gravity:.2g} 1/s^2 lower" in said
-    assert f"c / J {found.stiffness:.2g} 1/s^2 higher" in said
-    for name, spread in found.spread.items():
-        assert bent.ratios[name].if_slack == pytest.approx(spread)
+    gravity, stiffness = found.of_ratios
+    assert f"m l g / J is {-gravity:.2g} 1/s^2 lower" in said
+    assert f"c / J {stiffness:.2g} 1/s^2 higher" in said
+    for name in LEANING:
+        assert bent.ratios[name].if_slack == pytest.approx(found.spread[name])
     assert bent.ratios["damping_over_inertia"].if_slack is None
 
 
@@ -82,6 +101,7 @@ def test_a_fit_that_sees_where_it_is_slack_says_how_far_off_the_ratios_may_be():
 def test_a_fit_that_leaves_little_open_says_nothing():
     found = two_drops(0.0, (8e-4, 3e-3), gyro=True)
     assert not [each for each in found.notes if "slack at" in each]
+    assert {each.if_slack for each in (found.of_leg | found.ratios).values()} == {None}
 
 
 def test_a_fit_whose_residual_shows_it_says_what_it_would_change():
@@ -116,7 +136,7 @@ def test_what_it_sees_hangs_not_on_how_exactly_a_fit_has_ended():
     )  # 1/s^2, a tenth of an error
     rows = jax.tree.map(lambda leaf: np.asarray(leaf)[None], replace(point, shared=nearly))
     begun = replace(ended, best=replace(ended.best, coordinates=rows))
-    exact, rough = leans(found), leaning(found.basis.problem, begun)
+    exact, rough = leans(found), leaning(replace(found.basis, ended=begun))
     assert exact is not None
     assert rough is not None
     assert rough.seen == pytest.approx(exact.seen, abs=0.1 * exact.told)

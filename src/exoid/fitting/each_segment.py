@@ -25,10 +25,10 @@ from exoid.fitting.model.limits import constraint_names
 from exoid.fitting.model.prior import prior_residual
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.term_parameters import ratio_name
-from exoid.fitting.result.averaged import averaged
+from exoid.fitting.result.averaged import averaged, mean_slack
 from exoid.fitting.result.estimates import Found, parameter_estimate, with_reasons
 from exoid.fitting.result.fit_result import Estimate, FitResult
-from exoid.fitting.result.untold import UNLIKE
+from exoid.fitting.result.untold import UNLIKE_ITS_BODY
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term, name_of
@@ -79,9 +79,15 @@ def fit_each(given: RecordingsLike, **options) -> FitResult:
     assumed = Assumptions(names[0], weight, plain, names[1], hand)
     classes = classes_of(options.get("terms", ()))
     belief = believe(recordings[0][1].subject, assumed, classes)
-    unlike = [each for each in results if each.parameters["inertia"].reason == UNLIKE]
+    unlike = [each for each in results if each.parameters["inertia"].reason in UNLIKE_ITS_BODY]
     settled = {} if unlike else settled_parameters(belief, ratios, results[0].leg)
     parameters = unlike[0].parameters if unlike else with_reasons(settled, belief.rig)
+    parameters = {
+        name: replace(each, if_slack=mean_slack([one.parameters[name] for one in results]))
+        if each.value is not None
+        else each
+        for name, each in parameters.items()
+    }
     moment = [*unlike, *results][0].gravity_moment
     said = dict.fromkeys(of_every_kind([note for each in results for note in each.notes]))
     lost = [each.notes[0] for each in results if not each.follows][:1]

@@ -14,7 +14,7 @@ from exoid.fitting.result.remarks.anatomy_remarks import STRANGE, from_anatomy
 from exoid.physics.anatomy.limits import anybody
 
 TELLING = "gravity_over_inertia"
-LEFT_OUT = "none, for no leg of this body moves like this; expected would be"
+LEFT_OUT = "none, for the motion speaks against it; expected would be"
 
 
 def strange(result: FitResult) -> bool:

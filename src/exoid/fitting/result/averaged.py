@@ -20,9 +20,15 @@ def averaged(each: Sequence[Estimate], owner: Sequence[int]) -> Estimate:
     common = {name: size for name, size in of_recordings(each, owner).items() if size}
     error = float(np.hypot.reduce([scatter, *common.values()]))
     part = {name: (size / error) ** 2 for name, size in common.items()}
-    return replace(
-        each[0], value=float(values.mean()), standard_error=error, shares=None, limited_by=part
-    )
+    mean = replace(each[0], value=float(values.mean()), standard_error=error, shares=None)
+    return replace(mean, limited_by=part, if_slack=mean_slack(each))
+
+
+def mean_slack(each: Sequence[Estimate]) -> float | None:
+    """What a spring slack elsewhere leaves open of the mean: it is one spring, and all segments are
+    off to the same side.
+    """
+    return float(np.mean([one.if_slack or 0.0 for one in each])) or None
 
 
 def of_recordings(each: Sequence[Estimate], owner: Sequence[int]) -> dict[str, float]:

@@ -45,6 +45,7 @@ from exoid.fitting.result.fit_result import (
 from exoid.fitting.result.limiting_systematics import granted, limiting, suspicions
 from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings
 from exoid.fitting.result.remarks.added_mass_remarks import misplaced, of_misplaced
+from exoid.fitting.result.remarks.anatomy_remarks import of_anatomy
 from exoid.fitting.result.remarks.remarks import limits_met, of_astray, remarks
 from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.fitting.result.remarks.slack_angle import (
@@ -52,6 +53,7 @@ from exoid.fitting.result.remarks.slack_angle import (
     Leaning,
     left_open,
     slack_angle_remarks,
+    with_slack,
 )
 from exoid.fitting.result.remarks.torque_zero import off_by_torque_zero
 from exoid.fitting.result.remarks.zero_remarks import of_far_zeros
@@ -122,30 +124,21 @@ def describe(
         basis=basis,
     )
     told = without_bare(without_lost(result), problem)
-    doubt = doubted_scale(told, problem, misplaced(problem, ended))
+    errors = [told.ratios[each].standard_error or 0.0 for each in LEANING]
+    slack = left_open(basis, errors) if told.follows else None
+    doubt = doubted_scale(told, problem, misplaced(problem, ended), slack)
     if doubt is not None:
         told = without_scale(told, doubt)
-    errors = [told.ratios[each].standard_error or 0.0 for each in LEANING]
-    slack = left_open(problem, ended, errors) if told.follows else None
     said = notes(told, basis, at_bound, slack)
     moment = estimate_moment(basis, told.ratios["gravity_over_inertia"], told.parameters["inertia"])
     moment = moment.widened(grown["gravity_over_inertia"])
-    return replace(told, ratios=with_slack(told.ratios, slack), gravity_moment=moment, notes=said)
+    return with_slack(replace(told, gravity_moment=moment, notes=said), slack)
 
 
 def growth(before: Estimate, after: Estimate, inertia: Estimate) -> float:
     """By how much the error of what is this ratio times J grows with that of the ratio."""
     errors = [each.standard_error or 0.0 for each in (before, after)]
     return (inertia.value or 0.0) * float(np.sqrt(max(errors[1] ** 2 - errors[0] ** 2, 0.0)))
-
-
-def with_slack(ratios: dict[str, Estimate], found: Leaning | None) -> dict[str, Estimate]:
-    """The ratios, each with how far it is open for where the spring is slack."""
-    spread = {} if found is None else found.spread
-    return {
-        name: replace(each, if_slack=spread[name]) if name in spread else each
-        for name, each in ratios.items()
-    }
 
 
 def notes(result: FitResult, basis: Basis, at_bound: set[str], slack: Leaning | None) -> list[str]:
@@ -157,6 +150,7 @@ def notes(result: FitResult, basis: Basis, at_bound: set[str], slack: Leaning | 
     return [
         *of_astray(result.astray, problem),
         *(of_misplaced(problem, ended) if result.follows else []),
+        *of_anatomy(problem.belief, float(ended.point.shared.gravity), slack),
         *of_the_rest(result.segments, ended.disturbance),
         *remarks(problem, ended, at_bound, follows=result.follows),
         *of_scale(result.parameters, result.segments),

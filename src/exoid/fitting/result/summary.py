@@ -50,7 +50,8 @@ def number(each: Any) -> str:
     if each.value is None:
         return "not determined"
     error = "" if each.standard_error is None else f" ± {each.standard_error:.2g}"
-    return f"{each.value:.4g}{error}"
+    more = "" if each.if_slack is None else f" (± {each.if_slack:.2g} if slack)"
+    return f"{each.value:.4g}{error}{more}"
 
 
 def frame(result: Any) -> Any:
@@ -60,10 +61,18 @@ def frame(result: Any) -> Any:
     require("pandas", "a data frame is made")
     import pandas
 
-    names = ("symbol", "value", "standard_error", "unit", "determined_by", "expected",
-             "expected_deviation", "lower", "upper", "reason")  # fmt: skip
+    names = ("symbol", "value", "standard_error", "if_slack", "unit", "determined_by",
+             "expected", "expected_deviation", "lower", "upper", "reason")  # fmt: skip
     found = quantities(result)
     rows = {name: [getattr(each, name) for each in found.values()] for name in names}
-    numbers = ("value", "standard_error", "expected", "expected_deviation", "lower", "upper")
+    numbers = (
+        "value",
+        "standard_error",
+        "if_slack",
+        "expected",
+        "expected_deviation",
+        "lower",
+        "upper",
+    )
     made = pandas.DataFrame(rows, index=pandas.Index([*found], name="quantity"))
     return made.astype(dict.fromkeys(numbers, float))

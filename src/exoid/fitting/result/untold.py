@@ -8,7 +8,8 @@ from exoid.fitting.result.agreement import lost, unbelieved
 from exoid.fitting.result.estimates import SCALE_FREE, without_value
 from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
 from exoid.fitting.result.limiting_systematics import chief
-from exoid.fitting.result.remarks.anatomy_remarks import unlike_anatomy
+from exoid.fitting.result.remarks.anatomy_remarks import bent_explains, unlike_anatomy
+from exoid.fitting.result.remarks.slack_angle import Leaning
 from exoid.fitting.solve.problem import Problem
 
 TORQUE = "torque_over_inertia"
@@ -19,6 +20,12 @@ UNLIKE = (
     "no leg of this body, as the tables of anatomy have it, moves like this: a drop with a known "
     "mass on the leg tells it"
 )
+UNLESS_BENT = (
+    "a leg of this body, as the tables of anatomy have it, moves like this only with a spring that "
+    "is slack in a bent position: 'exoid fit --with stiffness_rest_angle' takes it so, a drop with "
+    "a known mass on the leg tells it"
+)
+UNLIKE_ITS_BODY = UNLIKE, UNLESS_BENT
 TOGETHER = (
     "the same mass was on in every segment, and nothing tells what it changes: add a drop without "
     "it, or leave it out of the sidecar, and the ratios are of both together"
@@ -76,11 +83,14 @@ def without_bare(result: FitResult, problem: Problem) -> FitResult:
     return replace(result, ratios=ratios)
 
 
-def doubted_scale(result: FitResult, problem: Problem, misplaced: Sequence[int]) -> str | None:
+def doubted_scale(
+    result: FitResult, problem: Problem, misplaced: Sequence[int], slack: Leaning | None
+) -> str | None:
     """Why J, by which all but the ratios to it go, is none to be given; None where it is one.
 
     Where the distance of an added mass limits it, and is in doubt; where it leans on the anatomy of
-    a body that the motion speaks against.
+    a body that the motion speaks against, be it only if its spring is not `slack` in a bent
+    position.
     """
     inertia, gravity = result.parameters["inertia"], result.ratios["gravity_over_inertia"]
     most = chief(inertia)
@@ -89,6 +99,8 @@ def doubted_scale(result: FitResult, problem: Problem, misplaced: Sequence[int])
     if not result.follows or inertia.determined_by == "data" or gravity.value is None:
         return None
     error = gravity.standard_error or 0.0
+    if bent_explains(problem.belief, gravity.value, slack, error):
+        return UNLESS_BENT
     return UNLIKE if unlike_anatomy(problem.belief, gravity.value, error) else None
 
 

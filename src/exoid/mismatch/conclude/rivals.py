@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.fitting.result.fit_result import RIVALS, FitResult
+from exoid.fitting.result.fit_result import RIVALS, Estimate, FitResult
 from exoid.fitting.result.remarks.slack_angle import BENT, leaning
 from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect, Verdict
 from exoid.mismatch.conclude.numbers import moved
@@ -24,7 +24,11 @@ REPEAT = (
 )
 ONE_AT_A_TIME = "Change one thing at a time (speed, angle, load) and watch which moves the torque."
 SLACK = f"a spring that is slack up to {np.degrees(BENT):.0f} deg from full extension"
-OF_RATIO = {"stiffness": "stiffness_over_inertia", "damping": "damping_over_inertia"}
+OVER_INERTIA = {
+    "stiffness": "stiffness_over_inertia",
+    "damping": "damping_over_inertia",
+    "gravity_moment": "gravity_over_inertia",
+}
 
 
 def likely(found: Found) -> list[Optimum]:
@@ -69,7 +73,7 @@ def of_hidden(found: Found, result: FitResult, first: Optimum) -> str:
 
 
 def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
-    """The fit of `shown`, its errors with what the ratios would be by every other cause.
+    """The fit of `shown`, its errors with what its numbers would be by every other cause.
 
     Variances add the mean square distance to the numbers of all candidates, each counted by its
     odds, exp(evidence / 2): Hoeting et al., Statistical Science 14(4), 1999. What did not run free
@@ -94,13 +98,6 @@ def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
     spread = {
         name: max(float(np.sqrt(part.sum())), slack.get(name, 0.0)) for name, part in parts.items()
     }
-    inertia = result.parameters["inertia"].value or 0.0
-    ratios = {name: one.widened(spread[name], cause=RIVALS) for name, one in result.ratios.items()}
-    parameters = {
-        name: one.widened(inertia * spread.get(OF_RATIO.get(name, ""), 0.0), cause=RIVALS)
-        for name, one in result.parameters.items()
-    }
-    moment = result.gravity_moment
     wide = {
         name: one.symbol
         for name, one in result.ratios.items()
@@ -114,21 +111,34 @@ def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
     note = f"± of {', '.join(wide.values())} covers {doubt}: {', '.join(rivals)}."
     lost = 0 if result.follows else 1  # of the notes: that it does not follow comes first
     notes = [*result.notes[:lost], *([note] if wide else []), *result.notes[lost:]]
+    return replace(with_spread(result, spread, slack), notes=notes)
+
+
+def with_spread(
+    result: FitResult, of_ratios: dict[str, float], of_slack: dict[str, float]
+) -> FitResult:
+    """With errors that hold these, of the parameters by J: none is open `if_slack` any more."""
+    inertia = result.parameters["inertia"].value or 0.0
+
+    def held(name: str, each: Estimate) -> Estimate:
+        by_ratio = inertia * of_ratios.get(OVER_INERTIA.get(name, ""), 0.0)
+        by = of_ratios.get(name, max(by_ratio, of_slack.get(name, 0.0)))
+        return replace(each.widened(by, cause=RIVALS), if_slack=None)
+
+    moment = result.gravity_moment
     return replace(
         result,
-        ratios=ratios,
-        parameters=parameters,
-        gravity_moment=moment
-        and moment.widened(inertia * spread["gravity_over_inertia"], cause=RIVALS),
-        notes=notes,
+        ratios={name: held(name, one) for name, one in result.ratios.items()},
+        parameters={name: held(name, one) for name, one in result.parameters.items()},
+        gravity_moment=moment and held("gravity_moment", moment),
     )
 
 
 def of_slack_angle(result: FitResult) -> dict[str, float]:
-    """How far ratios are open because nobody knows where the knee's spring is slack."""
+    """How far numbers are open because nobody knows where the knee's spring is slack."""
     if result.basis is None:
         return {}
-    found = leaning(result.basis.problem, result.basis.ended)
+    found = leaning(result.basis)
     return {} if found is None else found.spread
 
 

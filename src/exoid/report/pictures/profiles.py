@@ -7,7 +7,7 @@ from exoid.fitting.result.estimates import RATIOS
 from exoid.report.pictures.axis import Scale, readable, view
 from exoid.report.pictures.panel import Axis, Band, Line, Mark, Note, Panel, Points, Range, Rule
 from exoid.report.pictures.role import Role
-from exoid.report.words.estimate import written
+from exoid.report.words.estimate import if_slack, written
 from exoid.report.words.text import (
     DIMENSIONLESS,
     MOST_DECIMALS,
@@ -101,12 +101,15 @@ def expectation(profile: Profile, scale: Scale, seen: Range) -> tuple[Mark, ...]
 
 
 def title(profile: Profile) -> str:
-    """Name, value with its error, and the 95 % interval or what is there instead."""
+    """Name, value with its error, the 95 % interval or what is there instead, and what is open
+    beside for where the spring is slack.
+    """
     each = profile.estimate
     unit = "" if each.unit in DIMENSIONLESS else f" {each.unit}"
     value = NOT_DETERMINED if each.value is None else f"{written(each)}{unit}"
     name = "" if profile.name in RATIOS else f"{quantity_words(profile.name)} "
-    return f"{name}`{each.symbol}`\n{value}\n{limits(profile)}"
+    more = f"\nif slack elsewhere: {if_slack(each)} more" if each.if_slack else ""
+    return f"{name}`{each.symbol}`\n{value}\n{limits(profile)}{more}"
 
 
 def limits(profile: Profile) -> str:

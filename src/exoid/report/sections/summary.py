@@ -14,7 +14,7 @@ from exoid.report.sections.blocks import Block, Group, State, card, element
 from exoid.report.sections.parameters import parameters_of
 from exoid.report.sections.quality import appraisals
 from exoid.report.sections.section import section
-from exoid.report.tables.leg import in_print, quantities_of
+from exoid.report.tables.leg import in_print, quantities_of, slack_of
 from exoid.report.tables.table import Column, Table
 from exoid.report.words.astray import astray
 from exoid.report.words.diagnosis import cause, certainty
@@ -39,7 +39,9 @@ HOW = Markup("""\
 <summary>How to read these numbers</summary>
 <p>± is one standard error: the true value lies within twice as much on either side in 19 of 20
 recordings, if the model is right. Where the recording shows more than the model has, errors are
-widened for it, but no error bar of such a model is complete.</p>
+widened for it, but no error bar of such a model is complete. <i>If slack</i> is an error more, for
+a knee's spring that is slack elsewhere than at full extension, where the recording leaves that
+open.</p>
 <p>The model is a pendulum with a spring and viscous damping (Eq. 9 of the paper), and the terms
 that are listed, if any; what else acts on a leg is missing physics.</p>
 <p>Motion alone tells ratios to the inertia <i>J</i>. Mass and distance of its centre can never be
@@ -188,12 +190,14 @@ def believed(case: Case) -> Table:
     fit = case.fit
     quantities = every_number(fit)
     each = list(quantities.values())
+    printed = [in_print(one) for one in each]
     belief = BELIEF | {"data": INCOMPLETE} if misses(case) else BELIEF
     belief = belief if fit.follows else dict.fromkeys(BELIEF, LOST)
     columns = {
         "quantity": [in_words(name) for name in quantities],
         "symbol": Column([one.symbol for one in each], symbols=True),
-        "value": quantities_of([in_print(one) for one in each]),
+        "value": quantities_of(printed),
+        "if slack": slack_of(printed),
         "how far to believe it": [belief[decided(one)] for one in each],
     }
     return Table("The leg in numbers; ± is one standard error", columns)

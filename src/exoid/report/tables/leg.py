@@ -7,7 +7,7 @@ from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
 from exoid.fitting.result.limiting_systematics import chief
 from exoid.fitting.result.summary import quantities
 from exoid.report.tables.table import Column, Table, with_unit
-from exoid.report.words.estimate import written
+from exoid.report.words.estimate import if_slack, written
 from exoid.report.words.text import in_degrees, in_words, quantity_words, with_error
 
 BAR = 5  # blocks of a bar of shares
@@ -36,6 +36,7 @@ def parameters(known: dict[str, Estimate]) -> Table:
         "parameter": Column(named, on_page=said, spare=1, brief=short),
         "symbol": Column([one.symbol for one in each], symbols=True, only="page"),
         "value": quantities_of(each),
+        "if slack": slack_of(each),
         "expected": Column(expected, on_page=behind(expected, each)),
         "bounds": Column(allowed, on_page=behind(allowed, each), spare=2),
         "set by": set_by(each),
@@ -50,17 +51,12 @@ def ratios(result: FitResult) -> Table:
         "ratio": Column(list(result.ratios), on_page=[one.title for one in each]),
         "symbol": Column([one.symbol for one in each], symbols=True, head=""),
         "value": quantities_of(each),
-        "if slack": [*map(if_slack, each)],
+        "if slack": slack_of(each),
         "set by": replace(set_by(each), spare=2, brief=[one.set_by or "" for one in each]),
         "limited by": Column([limited_by(one) for one in each], spare=1),  # a note says it, too
     }
     caption = "Ratios to the inertia: what motion alone can tell"
     return Table(caption, columns, "Ratios to the inertia, what motion can tell")
-
-
-def if_slack(each: Estimate) -> str:
-    """The error more that holds for a spring slack elsewhere than at full extension."""
-    return "" if each.if_slack is None else f"± {each.if_slack:.2g}"
 
 
 def terms(result: FitResult) -> Table:
@@ -76,6 +72,7 @@ def terms(result: FitResult) -> Table:
         "parameter": Column([one.title for one in each], head="", spare=1),
         "symbol": Column([one.symbol for one in each], symbols=True, head=" "),
         "value": quantities_of(each),
+        "if slack": slack_of(each),
         "set by": replace(set_by(each), spare=2, brief=[one.set_by or "" for one in each]),
     }
     return Table("Terms: what the model has beside Eq. 9", columns, "Terms, beside Eq. 9")
@@ -146,6 +143,12 @@ def quantities_of(each: list[Estimate]) -> Column:
     return Column([written(one) for one in each], units=[one.unit for one in each])
 
 
+def slack_of(each: list[Estimate]) -> Column:
+    """What is open for where the spring is slack, beside values with their units."""
+    cells = [if_slack(one) for one in each]
+    return Column(cells, on_page=behind(cells, each))
+
+
 def behind(cells: list[str], each: list[Estimate]) -> list[str]:
     """With the units of these quantities."""
     return [with_unit(cell, one.unit) for cell, one in zip(cells, each, strict=True)]
@@ -155,11 +158,12 @@ def in_print(each: Estimate) -> Estimate:
     """Angles and rates in degrees."""
     if each.unit not in ("rad", "rad/s"):
         return each
-    value, error = (
-        None if one is None else degrees(1) * one for one in (each.value, each.standard_error)
+    value, error, open_ = (
+        None if one is None else degrees(1) * one
+        for one in (each.value, each.standard_error, each.if_slack)
     )
     unit = each.unit.replace("rad", "deg")
-    return replace(each, value=value, standard_error=error, unit=unit)
+    return replace(each, value=value, standard_error=error, unit=unit, if_slack=open_)
 
 
 def set_by(each: list[Estimate]) -> Column:

@@ -15,6 +15,11 @@ def written(each: Estimate) -> str:
     return f"{on_bound(each):.4g}"
 
 
+def if_slack(each: Estimate) -> str:
+    """The error more that holds for a spring slack elsewhere than at full extension."""
+    return "" if each.if_slack is None else f"± {each.if_slack:.2g}"
+
+
 def on_bound(each: Estimate) -> float | None:
     """The value, without the rounding by which one that a bound set lies beside it."""
     if each.value is None or each.determined_by != "bound":

@@ -8,7 +8,6 @@ from exoid.fitting.misfit.disturbance.explain import CORRELATED
 from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.multistart.search_result import FEASIBLE, SearchResult, scale_told
-from exoid.fitting.result.remarks.anatomy_remarks import of_anatomy
 from exoid.fitting.result.remarks.gyro_remarks import (
     late_gyro,
     lateness,
@@ -66,7 +65,6 @@ def remarks(
     said += of_kept(problem)
     said += noise_remarks(problem.movements)
     gravity = float(ended.best.coordinates.shared.gravity[0])
-    said += of_anatomy(problem.belief, gravity)
     told = scale_told(ended.local.data + ended.local.prior)
     inertia = float(ended.best.leg.inertia[0]) if told else None
     said += of_kinds(ended.disturbance)
