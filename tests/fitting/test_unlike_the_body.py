@@ -14,11 +14,13 @@ from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.result.fit_result import Estimate
 from exoid.fitting.result.remarks.added_mass_remarks import same_swing
-from exoid.fitting.result.remarks.anatomy_remarks import at_rate, length_of
+from exoid.fitting.result.remarks.anatomy_remarks import at_rate, length_of, of_anatomy
 from exoid.fitting.result.remarks.scale_remarks import POUND, away, of_scale
+from exoid.fitting.result.remarks.slack_angle import LEANING, Leaning
 from exoid.physics.leg import GRAVITY
-from exoid.recordings.recording import Protocol, Recording, Segment
+from exoid.recordings.recording import Protocol, Recording, Segment, Sensors
 from fit_cases import BODY, DROP, LOADED, recorded
+from legs import drop, recording
 
 BY_DATA, BY_PRIOR = Shares(1.0, 0.0, 0.0), Shares(0.0, 1.0, 0.0)
 INERTIA = Estimate("J", "inertia", "kg m^2", 0.38, 0.005, 0.38, 0.045, shares=BY_DATA)
@@ -98,6 +100,45 @@ def test_the_rate_that_would_explain_a_leg_that_is_none_goes_by_the_root(factor)
     assert belief.expected is not None
     gravity = GRAVITY / length_of(belief.expected)[0] / factor**2
     assert f"a sampling rate {factor:.2f} ± " in at_rate(belief, gravity)
+
+
+@pytest.mark.parametrize(("lower", "bent"), [(0.0, False), (0.3, False), (1.2, True)])
+@pytest.mark.parametrize("shorter", [True, False])
+def test_a_spring_slack_in_a_bent_position_is_asked_for_first_where_it_would_do(
+    lower, bent, shorter
+):
+    """`lower` is the part that 60 deg make up of what m l g / J is too high. They make none less:
+    of a leg that swings too slowly it is never said.
+    """
+    belief = believe(BODY)
+    assert belief.expected is not None
+    length, scatter = length_of(belief.expected)
+    times = np.exp((5 if shorter else -5) * scatter)
+    gravity = GRAVITY / length * times
+    off = -lower * GRAVITY / length * abs(times - 1) / 2
+    slack = Leaning({"gravity_over_inertia": off}, 0.0, np.inf, shown=False)
+    (said,) = of_anatomy(belief, gravity, slack)
+    first = said.partition("body mass, height and age")[0]
+    assert ("slack in a bent position" in first) == (bent and shorter)
+    assert ("fewer than one leg in a thousand" in first) != (bent and shorter)
+    assert said.endswith("holds as well as 'if slack' beside ± says.")
+    (sure,) = of_anatomy(belief, gravity, None)
+    assert sure.endswith("the ratios to J, holds.")
+
+
+SEATED = (26.5, 13.2, 1.6)  # m l g / J and c / J [1/s^2], d / J [1/s]
+
+
+def test_a_leg_whose_spring_is_slack_in_a_bent_position_is_no_strange_one():
+    """By Eq. 9 its J / (m l) is 0.06 m less than that of its body."""
+    made = [drop(SEATED, at, slack=-0.6, noise=(1.7e-3, 0.0), gyro=False) for at in (-0.2, -0.3)]
+    found = fit(recording(*made, sensors=Sensors(angle_noise=1.7e-3)), multistart=2)
+    assert "slack in a bent position" in str(found.parameters["inertia"].reason)
+    assert not any("fewer than one leg in a thousand" in each for each in found.notes)
+    for name, true in zip(LEANING, SEATED, strict=False):
+        each = found.ratios[name]
+        assert each.if_slack is not None
+        assert abs(each.value - true) < 2 * np.hypot(each.standard_error, each.if_slack)
 
 
 def test_times_of_another_rate_are_among_what_may_be_wrong():
@@ -219,7 +260,8 @@ def test_of_a_leg_that_anatomy_does_not_know_motion_tells_the_ratios_and_no_tabl
     found = fit(stump(0.0, size), multistart=4)
     assert found.follows
     assert {each.value for each in found.of_leg.values()} == {None}
-    assert "as the tables of anatomy have it" in str(found.parameters["inertia"].reason)
+    reason = str(found.parameters["inertia"].reason)
+    assert "no leg of this body, as the tables of anatomy have it" in reason
     ratio = found.ratios["gravity_over_inertia"]
     assert abs(ratio.value - size[1] / size[0]) < 3 * ratio.standard_error
     assert profiles(found) == {}  # they would hold the tables' leg against this one

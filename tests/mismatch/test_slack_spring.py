@@ -3,7 +3,7 @@
 import pytest
 
 from exoid.fitting.result.fit_result import RIVALS
-from exoid.fitting.result.remarks.slack_angle import BENT
+from exoid.fitting.result.remarks.slack_angle import BENT, leaning
 from exoid.mismatch.missing_physics import diagnose
 from exoid.recordings.recording import Sensors
 from legs import ADULT, BODY, drop, recording
@@ -28,6 +28,16 @@ def test_the_error_holds_the_leg_where_nothing_is_seen_to_be_missing(bent, name,
     assert off < 2 * found.standard_error
     alone = found.standard_error * (1 - found.limited_by[RIVALS]) ** 0.5
     assert off > 4 * alone  # by which Eq. 9 alone would have been wrong
+
+
+@pytest.mark.parametrize("name", ["inertia", "damping", "stiffness"])
+def test_so_do_the_errors_of_what_goes_with_them(bent, name):
+    """By anatomy J is the greater, the less m l g / J is."""
+    found = bent.fit.parameters[name]
+    slack = found.standard_error * found.limited_by[RIVALS] ** 0.5
+    basis = bent.fit.basis
+    assert slack >= 0.99 * leaning(basis).spread[name] > 0.1 * found.value
+    assert found.if_slack is None  # ± has it
 
 
 def test_it_is_said_what_the_error_holds(bent):
