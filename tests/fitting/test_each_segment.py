@@ -117,6 +117,13 @@ def test_the_mean_of_a_single_value_has_no_error():
     assert (both.value, both.standard_error) == (7.0, 1.0)
 
 
+def test_where_one_spring_is_slack_is_not_averaged_away():
+    one = Estimate("c / J", "stiffness over inertia", "1/s^2", 5.0, 0.2, if_slack=2.0)
+    mean = averaged([one, replace(one, value=5.4, if_slack=3.0)], [0, 0])
+    assert mean.if_slack == pytest.approx(2.5)
+    assert averaged([replace(one, if_slack=None)] * 2, [0, 0]).if_slack is None
+
+
 def test_what_segments_have_in_common_is_not_averaged_away_but_between_recordings():
     one = Estimate("c / J", "stiffness over inertia", "1/s^2", 6.0, 0.5, limited_by={"zero": 0.64})
     same = averaged([one, one, one, one], [0, 0, 0, 0])

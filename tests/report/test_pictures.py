@@ -345,3 +345,10 @@ def test_no_cause_looks_chosen_where_none_is(verdict, chosen):
     assert sum(row.count("chosen") for row in candidates(one).rows) == chosen
     assert ("chosen" in legend(one)) == bool(chosen)
     assert ("Blue without stripes" in show_causes(one).caption) == bool(chosen)
+
+
+def test_a_profile_says_what_its_interval_does_not_hold_for_where_the_spring_is_slack():
+    known = next(iter(profiled().values()))
+    leaning = replace(known, estimate=replace(known.estimate, if_slack=0.097))
+    whole = profile_of(known).title
+    assert profile_of(leaning).title == f"{whole}\nif slack elsewhere: ± 0.097 more"

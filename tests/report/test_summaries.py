@@ -1,5 +1,7 @@
 """What the prompt and a notebook show of a result: short, escaped, and a frame for pandas."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from diagnosis_by_hand import doubtful, found, nothing
@@ -29,6 +31,18 @@ def test_a_fit_is_a_data_frame_with_numbers_in_its_columns():
         np.testing.assert_equal(frame.loc[name, "value"], value)
         assert frame.loc[name, "unit"] == each.unit
     assert frame["standard_error"].dtype == np.float64
+
+
+def test_what_a_slack_angle_leaves_open_is_in_the_prompt_and_in_the_frame():
+    pytest.importorskip("pandas")
+    result = fitted()
+    name, each = next((name, one) for name, one in result.ratios.items() if one.value is not None)
+    leaning = replace(result, ratios=result.ratios | {name: replace(each, if_slack=1.25)})
+    assert "(± 1.2 if slack)" in repr(leaning)
+    assert "if slack" not in repr(result)
+    frame = leaning.to_dataframe()
+    assert frame.loc[name, "if_slack"] == 1.25
+    assert frame["if_slack"].notna().sum() == 1
 
 
 @pytest.mark.parametrize("diagnosis", [found(), nothing(), doubtful()])

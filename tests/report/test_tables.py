@@ -4,6 +4,7 @@ import io
 import re
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from diagnosis_by_hand import found
 from html_tree import parse, rows
@@ -19,7 +20,7 @@ from exoid.report.sections.parameters import parameters_of
 from exoid.report.tables.compare import ComparedQuantity
 from exoid.report.tables.comparison import quantities
 from exoid.report.tables.diagnosis import suspects
-from exoid.report.tables.leg import before_and_after, parameters, ratios, segments
+from exoid.report.tables.leg import before_and_after, in_print, parameters, ratios, segments
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.text import told_apart, with_error
 from exoid.report.words.typeset import formula, tidy
@@ -132,6 +133,17 @@ def test_what_set_a_number_stands_in_80_letters_beside_what_was_found():
         assert "set by" in said
         assert said.count("prior") == len(names)
         assert "F_c / J" in said, room  # by which a wide terminal and a pipe are the same
+
+
+def test_what_a_slack_angle_leaves_open_stands_beside_every_number_that_goes_with_it():
+    inertia = Estimate("J", "inertia", "kg m^2", 0.23, 0.023, if_slack=0.097)
+    angle = Estimate("phi_3", "angle", "rad", -0.6, 0.01, if_slack=np.radians(4.0))
+    table = parameters({"inertia": inertia, "mass": replace(inertia, if_slack=None)})
+    assert table.paged["if slack"] == ["± 0.097 kg m^2", ""]
+    for table_of_it in (table, parameters({"angle": in_print(angle)})):
+        assert "if slack" in printed(table_of_it)
+    assert "± 4" in printed(parameters({"angle": in_print(angle)}))
+    assert "if slack" not in printed(parameters({"mass": replace(inertia, if_slack=None)}))
 
 
 def test_options_that_differ_do_not_look_alike():
