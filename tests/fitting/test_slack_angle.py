@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from exoid.fitting.estimate import fit
-from exoid.fitting.result.remarks.slack_angle import BENT, LEANING, leaning
+from exoid.fitting.result.remarks.leaning import BENT, LEANING
+from exoid.fitting.result.remarks.slack_angle import leaning
 from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
 from exoid.recordings.recording import Sensors, Subject
 from legs import ADULT, BODY, drop, recording
@@ -23,7 +24,7 @@ def fitted(slack=0.0, noise=QUIET, leg=ADULT, subject=BODY, **how):
 
 def leans(result):
     assert result.basis is not None
-    return leaning(result.basis)
+    return leaning(result.basis.problem, result.basis.ended, result.basis.information.open)
 
 
 def noted(result):
@@ -136,7 +137,7 @@ def test_what_it_sees_hangs_not_on_how_exactly_a_fit_has_ended():
     )  # 1/s^2, a tenth of an error
     rows = jax.tree.map(lambda leaf: np.asarray(leaf)[None], replace(point, shared=nearly))
     begun = replace(ended, best=replace(ended.best, coordinates=rows))
-    exact, rough = leans(found), leaning(replace(found.basis, ended=begun))
+    exact, rough = leans(found), leaning(found.basis.problem, begun, found.basis.information.open)
     assert exact is not None
     assert rough is not None
     assert rough.seen == pytest.approx(exact.seen, abs=0.1 * exact.told)

@@ -15,8 +15,8 @@ from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.result.fit_result import Estimate
 from exoid.fitting.result.remarks.added_mass_remarks import same_swing
 from exoid.fitting.result.remarks.anatomy_remarks import at_rate, length_of, of_anatomy
+from exoid.fitting.result.remarks.leaning import LEANING, Leaning
 from exoid.fitting.result.remarks.scale_remarks import POUND, away, of_scale
-from exoid.fitting.result.remarks.slack_angle import LEANING, Leaning
 from exoid.physics.leg import GRAVITY
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors
 from fit_cases import BODY, DROP, LOADED, recorded

@@ -46,18 +46,19 @@ from exoid.fitting.result.limiting_systematics import granted, limiting, suspici
 from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings
 from exoid.fitting.result.remarks.added_mass_remarks import misplaced, of_misplaced
 from exoid.fitting.result.remarks.anatomy_remarks import of_anatomy
+from exoid.fitting.result.remarks.leaning import LEANING, Leaning
 from exoid.fitting.result.remarks.remarks import limits_met, of_astray, remarks
 from exoid.fitting.result.remarks.scale_remarks import of_scale
-from exoid.fitting.result.remarks.slack_angle import (
-    LEANING,
-    Leaning,
-    left_open,
-    slack_angle_remarks,
-    with_slack,
-)
+from exoid.fitting.result.remarks.slack_angle import left_open, slack_angle_remarks
 from exoid.fitting.result.remarks.torque_zero import off_by_torque_zero
 from exoid.fitting.result.remarks.zero_remarks import of_far_zeros
-from exoid.fitting.result.untold import doubted_scale, without_bare, without_lost, without_scale
+from exoid.fitting.result.untold import (
+    doubted_scale,
+    with_slack,
+    without_bare,
+    without_lost,
+    without_scale,
+)
 from exoid.fitting.solve.ask import around, finite, take
 from exoid.fitting.solve.problem import Problem
 from exoid.recordings.conventions.jumps import jumping
@@ -125,7 +126,7 @@ def describe(
     )
     told = without_bare(without_lost(result), problem)
     errors = [told.ratios[each].standard_error or 0.0 for each in LEANING]
-    slack = left_open(basis, errors) if told.follows else None
+    slack = left_open(problem, ended, basis.information.open, errors) if told.follows else None
     doubt = doubted_scale(told, problem, misplaced(problem, ended), slack)
     if doubt is not None:
         told = without_scale(told, doubt)

@@ -1,4 +1,7 @@
-"""What nothing tells where a kind of segment is not followed, or what weighs the leg is off."""
+"""What nothing tells where a kind of segment is not followed, or what weighs the leg is off.
+
+And what stays open for where the knee's spring is slack.
+"""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -9,7 +12,7 @@ from exoid.fitting.result.estimates import SCALE_FREE, without_value
 from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
 from exoid.fitting.result.limiting_systematics import chief
 from exoid.fitting.result.remarks.anatomy_remarks import bent_explains, unlike_anatomy
-from exoid.fitting.result.remarks.slack_angle import Leaning
+from exoid.fitting.result.remarks.leaning import Leaning
 from exoid.fitting.solve.problem import Problem
 
 TORQUE = "torque_over_inertia"
@@ -30,6 +33,7 @@ TOGETHER = (
     "the same mass was on in every segment, and nothing tells what it changes: add a drop without "
     "it, or leave it out of the sidecar, and the ratios are of both together"
 )
+NOTICED = 0.5  # errors of a number, from which on what is left open is told: 12 % of ± together
 GOES = ("over", "times")  # J: what motion alone tells of a parameter that goes with it
 
 
@@ -129,3 +133,27 @@ def without_scale(result: FitResult, why: str) -> FitResult:
         segments=[of_segment(each) for each in result.segments],
         torque_amplitude=mean and kept(mean),
     )
+
+
+def with_slack(result: FitResult, found: Leaning | None) -> FitResult:
+    """The result, each number with how far it is open for where the spring is slack."""
+    spread = {} if found is None else found.spread
+
+    def told(known: dict[str, Estimate], of: str = "") -> dict[str, Estimate]:
+        return {name: if_slack(each, spread.get(of + name, 0.0)) for name, each in known.items()}
+
+    moment, torque = result.gravity_moment, result.torque_amplitude
+    return replace(
+        result,
+        parameters=told(result.parameters),
+        ratios=told(result.ratios),
+        terms={term: told(own, f"{term}.") for term, own in result.terms.items()},
+        gravity_moment=moment and if_slack(moment, spread.get("gravity_moment", 0.0)),
+        torque_amplitude=torque and if_slack(torque, spread.get("torque_amplitude", 0.0)),
+    )
+
+
+def if_slack(each: Estimate, spread: float) -> Estimate:
+    """With this error more, where it is to be noticed beside its own."""
+    noticed = bool(each.standard_error) and spread > NOTICED * (each.standard_error or 0.0)
+    return replace(each, if_slack=spread) if noticed else each

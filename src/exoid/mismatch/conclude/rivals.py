@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.result.fit_result import RIVALS, Estimate, FitResult
-from exoid.fitting.result.remarks.slack_angle import BENT, leaning
+from exoid.fitting.result.remarks.leaning import BENT
+from exoid.fitting.result.remarks.slack_angle import leaning
 from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect, Verdict
 from exoid.mismatch.conclude.numbers import moved
 from exoid.mismatch.evidence.yardstick import APART
@@ -138,7 +139,7 @@ def of_slack_angle(result: FitResult) -> dict[str, float]:
     """How far numbers are open because nobody knows where the knee's spring is slack."""
     if result.basis is None:
         return {}
-    found = leaning(result.basis)
+    found = leaning(result.basis.problem, result.basis.ended, result.basis.information.open)
     return {} if found is None else found.spread
 
 

@@ -6,7 +6,8 @@ from math import hypot
 from typing import Any
 
 from exoid.fitting.result.fit_result import RIVALS, Estimate, FitResult
-from exoid.fitting.result.remarks.slack_angle import BENT, TOLD
+from exoid.fitting.result.remarks.leaning import BENT
+from exoid.fitting.result.remarks.slack_angle import TOLD
 from exoid.physics.term import name_of
 from exoid.report.saved.saved_result import SavedResult
 

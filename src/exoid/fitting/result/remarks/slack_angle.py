@@ -9,8 +9,6 @@ S'S - S'A H^-1 A'S of the torque, and show S'A H^-1 g - S'r over that: at a mini
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from typing import Annotated
 
 import numpy as np
 
@@ -24,82 +22,33 @@ from exoid.fitting.model.coordinates import (
     unflattened,
 )
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.result.fit_result import Basis, Estimate, FitResult
+from exoid.fitting.result.remarks.leaning import BENT, LEANING, Leaning
 from exoid.fitting.solve.ask import grams_at
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.term import name_of
 
-BENT = np.radians(30.0)  # of flexion, where a spring may well be slack: Riener & Edrich have 61 deg
 TOLD = np.radians(5.0)  # error of the rest angle below which a fit by itself shows one of BENT
 FELT, WORTH = 2.0, 0.01  # errors, and share, of a ratio left open where the rest angle is told
-NOTICED = 0.5  # errors of a number, from which on what is left open is told: 12 % of ± together
 STIFFER = 2.0  # times as stiff as by the fit, at most: beyond, nothing is linear any more
 CONSTANT = {"stiffness_rest_angle", "torque_bias"}  # terms of such a torque
-LEANING = ("gravity_over_inertia", "stiffness_over_inertia")
 
 
-@dataclass(frozen=True)
-class Leaning:
-    """How far the numbers of a leg whose spring is slack at BENT are from those of the fit."""
-
-    off: dict[str, float]  # by the names of a result, in their units
-    seen: Annotated[float, "rad"]  # the rest angle that the recording shows
-    told: Annotated[float, "rad"]  # the error with which it does so
-    shown: bool  # is that clear, beside all else that is missing?
-
-    @property
-    def of_ratios(self) -> np.ndarray:
-        """Of the `LEANING` [1/s^2]."""
-        return np.array([self.off[name] for name in LEANING])
-
-    @property
-    def spread(self) -> dict[str, float]:
-        """How far the numbers of legs whose springs are slack within BENT of full extension, as a
-        standard deviation, and that show the same, are from the fit's: root mean square.
-        """
-        trust = 1 / (1 + (self.told / BENT) ** 2)  # of what is seen, beside what is usual
-        usual = float(np.hypot(trust * self.seen / BENT if trust else 0.0, np.sqrt(1 - trust)))
-        return {name: abs(each) * usual for name, each in self.off.items()}
-
-
-def left_open(basis: Basis, errors: Sequence[float]) -> Leaning | None:
+def left_open(
+    problem: Problem, ended: SearchResult, free: np.ndarray, errors: Sequence[float]
+) -> Leaning | None:
     """What a leg's numbers lean on, where another rest angle changes the `LEANING` ratios by more
     than these errors of them, and the recording does not rule that out; else None.
     """
-    found = leaning(basis)
+    found = leaning(problem, ended, free)
     if found is None:
         return None
     off = [found.spread[name] for name in LEANING] if found.shown else found.of_ratios
     least = np.array(errors)
     if found.shown:
-        shared = basis.ended.point.shared
+        shared = ended.point.shared
         of_leg = [float(getattr(shared, name)) for name in ("gravity", "stiffness")]
         least = np.maximum(FELT * least, WORTH * np.array(of_leg))
     return None if (np.abs(off) < least).all() else found
-
-
-def with_slack(result: FitResult, found: Leaning | None) -> FitResult:
-    """The result, each number with how far it is open for where the spring is slack."""
-    spread = {} if found is None else found.spread
-
-    def told(known: dict[str, Estimate], of: str = "") -> dict[str, Estimate]:
-        return {name: if_slack(each, spread.get(of + name, 0.0)) for name, each in known.items()}
-
-    moment, torque = result.gravity_moment, result.torque_amplitude
-    return replace(
-        result,
-        parameters=told(result.parameters),
-        ratios=told(result.ratios),
-        terms={term: told(own, f"{term}.") for term, own in result.terms.items()},
-        gravity_moment=moment and if_slack(moment, spread.get("gravity_moment", 0.0)),
-        torque_amplitude=torque and if_slack(torque, spread.get("torque_amplitude", 0.0)),
-    )
-
-
-def if_slack(each: Estimate, spread: float) -> Estimate:
-    """With this error more, where it is to be noticed beside its own."""
-    noticed = bool(each.standard_error) and spread > NOTICED * (each.standard_error or 0.0)
-    return replace(each, if_slack=spread) if noticed else each
 
 
 def slack_angle_remarks(found: Leaning | None) -> list[str]:
@@ -135,13 +84,14 @@ def seen(found: Leaning) -> str:
     )
 
 
-def leaning(basis: Basis) -> Leaning | None:
-    """None on a rig, and where the model has no spring or a constant torque of its own."""
-    problem, ended = basis.problem, basis.ended
+def leaning(problem: Problem, ended: SearchResult, free: np.ndarray) -> Leaning | None:
+    """Where nothing holds the coordinates in these `free` directions; None on a rig, and where the
+    model has no spring or a constant torque of its own.
+    """
     stiffness, terms = float(ended.point.shared.stiffness), map(name_of, problem.terms)
     if problem.belief.rig or stiffness <= 0 or CONSTANT & set(terms):
         return None
-    pull, left, seen = answer(basis)
+    pull, left, seen = answer(problem, ended, free)
     spring = float(ended.local.quantities[problem.quantities.index(LEANING[1])] @ pull)
     torque = -stiffness * BENT / max(1 - spring * BENT, 1 / STIFFER)
     told = left**-0.5 / stiffness if left > 0 else np.inf
@@ -167,11 +117,12 @@ def numbers_at(problem: Problem, point: Coordinates) -> dict[str, float]:
     return each | {"gravity_moment": each["gravity_over_inertia"] * each["inertia"]}
 
 
-def answer(basis: Basis) -> tuple[np.ndarray, float, float]:
-    """H^-1 A'S for a constant torque of 1 rad/s^2 times J, beside what is fixed by hand; what the
-    data tell of the torque beside the coordinates; and, over that, the torque that they show.
+def answer(
+    problem: Problem, ended: SearchResult, free: np.ndarray
+) -> tuple[np.ndarray, float, float]:
+    """H^-1 A'S for a constant torque of 1 rad/s^2 times J; what the data tell of the torque beside
+    the coordinates; and, over that, the torque that they show.
     """
-    problem, ended, free = basis.problem, basis.ended, basis.information.open
     scale = ended.disturbance.scale * ended.disturbance.weighing(problem.kinds)
     known, slope = ended.local.prior.copy(), np.zeros(len(ended.local.prior))
     uphill = pull_of_belief(ended.point, problem.belief.prior)

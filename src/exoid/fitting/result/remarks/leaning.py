@@ -1,0 +1,33 @@
+"""How far the numbers of a leg lean on where its knee's spring is slack."""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+
+BENT = np.radians(30.0)  # of flexion, where a spring may well be slack: Riener & Edrich have 61 deg
+LEANING = ("gravity_over_inertia", "stiffness_over_inertia")
+
+
+@dataclass(frozen=True)
+class Leaning:
+    """How far the numbers of a leg whose spring is slack at BENT are from those of the fit."""
+
+    off: dict[str, float]  # by the names of a result, in their units
+    seen: Annotated[float, "rad"]  # the rest angle that the recording shows
+    told: Annotated[float, "rad"]  # the error with which it does so
+    shown: bool  # is that clear, beside all else that is missing?
+
+    @property
+    def of_ratios(self) -> np.ndarray:
+        """Of the `LEANING` [1/s^2]."""
+        return np.array([self.off[name] for name in LEANING])
+
+    @property
+    def spread(self) -> dict[str, float]:
+        """How far the numbers of legs whose springs are slack within BENT of full extension, as a
+        standard deviation, and that show the same, are from the fit's: root mean square.
+        """
+        trust = 1 / (1 + (self.told / BENT) ** 2)  # of what is seen, beside what is usual
+        usual = float(np.hypot(trust * self.seen / BENT if trust else 0.0, np.sqrt(1 - trust)))
+        return {name: abs(each) * usual for name, each in self.off.items()}
