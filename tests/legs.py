@@ -14,14 +14,16 @@ BODY = Subject(kind="leg", body_mass=74.0, height=1.78)
 
 
 @cache
-def fall(leg=ADULT, start=-0.2, duration=6.0, step=0.01, thigh=0.0, slack=0.0):
-    """Time, angle and angular velocity of a leg that is let go at rest."""
+def fall(leg=ADULT, start=-0.2, duration=6.0, step=0.01, thigh=0.0, slack=0.0, end=(0.0, 1.0)):
+    """Time, angle and angular velocity of a leg that is let go at rest; `end` is the moment at full
+    extension over J [1/s^2], and the angle over which it grows e-fold [rad].
+    """
     gravity, stiffness, damping = leg
 
     def slope(_, state):
         angle, speed = state
         pull = gravity * np.cos(angle + thigh) + stiffness * (angle - slack)
-        return speed, -pull - damping * speed
+        return speed, -pull - damping * speed - end[0] * np.exp(angle / end[1])
 
     time = np.arange(0.0, duration, step)
     found = solve_ivp(slope, (0.0, duration), (start, 0.0), t_eval=time, rtol=1e-9, atol=1e-9)

@@ -8,7 +8,8 @@ import pytest
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.remarks.leaning import BENT, LEANING
-from exoid.fitting.result.remarks.slack_angle import leaning
+from exoid.fitting.result.remarks.slack_angle import leaning, likely
+from exoid.physics.terms.tissue.end_range_stiffening import EndRangeStiffening
 from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
 from exoid.recordings.recording import Sensors, Subject
 from legs import ADULT, BODY, drop, recording
@@ -141,3 +142,33 @@ def test_what_it_sees_hangs_not_on_how_exactly_a_fit_has_ended():
     assert exact is not None
     assert rough is not None
     assert rough.seen == pytest.approx(exact.seen, abs=0.1 * exact.told)
+
+
+def test_what_is_told_counts_as_told_and_what_is_not_as_it_usually_is():
+    """Of a spring that another torque leaves as stiff as it is."""
+    assert likely(4.0, 0.0, shown=-3.0, error=0.01) == pytest.approx(3.0, rel=1e-3)
+    assert likely(4.0, 0.0, shown=0.0, error=1e3) == pytest.approx(4.0 * BENT, rel=1e-2)
+
+
+def test_a_soft_spring_may_hide_a_stiff_one():
+    """c / J of 0.9 beside a stiffening end was 3.6 1/s^2, slack at 60 deg: T = -3.8 rad/s^2."""
+    soft = likely(0.93, 0.68, shown=-3.4, error=1.34)
+    assert soft > 2 * likely(0.93, 0.0, shown=-3.4, error=1.34)
+    assert soft > 3.8 / 2
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("degrees", [-60.0, -30.0, 15.0])
+def test_beside_a_stiffening_end_all_sizes_hold_a_spring_that_is_slack_elsewhere(degrees):
+    """Both bend the same way: m l g / J, c / J and the width were many errors off."""
+    leg, end = (26.5, 3.6, 0.7), (7.2, 0.25)
+    how = {"slack": np.radians(degrees), "end": end}
+    made = [drop(leg, start, seed=at, **how) for at, start in enumerate((-0.26, -0.7, -1.05))]
+    found = fit(recording(*made), multistart=4, terms=[EndRangeStiffening])
+    where, each = leans(found), found.ratios | found.of_terms
+    assert where is not None
+    true = dict(zip(LEANING, leg[:2], strict=True))
+    width = "end_range_stiffening.extension_width"
+    for name, value in (true | {width: end[1]}).items():
+        off = abs(each[name].value - value)
+        assert off < 2.5 * np.hypot(each[name].standard_error, where.spread[name])

@@ -79,7 +79,7 @@ def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
     Variances add the mean square distance to the numbers of all candidates, each counted by its
     odds, exp(evidence / 2): Hoeting et al., Statistical Science 14(4), 1999. What did not run free
     counts as it came out at the first look. Where the knee's spring is slack no recording need
-    show: what that leaves open counts where it is more.
+    show: what that leaves open, of the causes' own sizes too, counts where it is more.
     """
     found = work.found
     each = [found.base, *found.singles, *found.pairs]
@@ -131,6 +131,10 @@ def with_spread(
         result,
         ratios={name: held(name, one) for name, one in result.ratios.items()},
         parameters={name: held(name, one) for name, one in result.parameters.items()},
+        terms={
+            owner: {name: held(f"{owner}.{name}", one) for name, one in own.items()}
+            for owner, own in result.terms.items()
+        },
         gravity_moment=moment and held("gravity_moment", moment),
     )
 

@@ -2,6 +2,8 @@
 
 from rich.console import Console
 
+from exoid.fitting.result.fit_result import RIVALS, FitResult
+from exoid.fitting.result.limiting_systematics import chief
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Column, Table, print_table
@@ -28,6 +30,13 @@ CHOSEN = "chosen: more causes only where they leave less than a third as much."
 MARGIN = 15  # characters, as wide as the longest heading
 
 
+def in_errors_of(fit: FitResult) -> str:
+    """What errors of a diagnosis hold beside the noise."""
+    limits = [most for each in fit.ratios.values() if (most := chief(each))]
+    doubt = " and for what else it may be, a spring slack at another angle among it"
+    return "what is still missing" + (doubt if RIVALS in dict(limits) else "")
+
+
 def print_diagnosis(found: Diagnosis, console: Console) -> None:
     """The answer, then the candidates with their evidence."""
     if not found.follows:
@@ -39,7 +48,7 @@ def print_diagnosis(found: Diagnosis, console: Console) -> None:
     note(console, found.fit.set_aside, "What of the recordings was used")
     if found.after is not None:
         print_table(before_and_after(found.before, found.after), console)
-        say(console, "± one standard error, with the part for what is still missing.")
+        say(console, f"± one standard error, with the part for {in_errors_of(found.after)}.")
         for each in beside(found):
             say(console, each)
     if found.suspected:

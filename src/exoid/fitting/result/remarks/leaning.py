@@ -14,6 +14,7 @@ class Leaning:
     """How far the numbers of a leg whose spring is slack at BENT are from those of the fit."""
 
     off: dict[str, float]  # by the names of a result, in their units
+    usual: float  # how much of that a leg mostly is which shows the same, as a standard deviation
     seen: Annotated[float, "rad"]  # the rest angle that the recording shows
     told: Annotated[float, "rad"]  # the error with which it does so
     shown: bool  # is that clear, beside all else that is missing?
@@ -25,9 +26,7 @@ class Leaning:
 
     @property
     def spread(self) -> dict[str, float]:
-        """How far the numbers of legs whose springs are slack within BENT of full extension, as a
-        standard deviation, and that show the same, are from the fit's: root mean square.
+        """How far the numbers of legs are from the fit's whose springs are slack elsewhere, as a
+        standard deviation: root mean square.
         """
-        trust = 1 / (1 + (self.told / BENT) ** 2)  # of what is seen, beside what is usual
-        usual = float(np.hypot(trust * self.seen / BENT if trust else 0.0, np.sqrt(1 - trust)))
-        return {name: abs(each) * usual for name, each in self.off.items()}
+        return {name: abs(each) * self.usual for name, each in self.off.items()}

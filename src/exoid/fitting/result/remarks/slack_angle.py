@@ -29,7 +29,8 @@ from exoid.physics.term import name_of
 
 TOLD = np.radians(5.0)  # error of the rest angle below which a fit by itself shows one of BENT
 FELT, WORTH = 2.0, 0.01  # errors, and share, of a ratio left open where the rest angle is told
-STIFFER = 2.0  # times as stiff as by the fit, at most: beyond, nothing is linear any more
+STIFFER = 2.0  # times as stiff as by the fit that a remark takes the leg for, at most
+REACH, STEPS = 6.0, 20_001  # errors of the torque, beyond which none is likely; so many are tried
 CONSTANT = {"stiffness_rest_angle", "torque_bias"}  # terms of such a torque
 
 
@@ -94,10 +95,31 @@ def leaning(problem: Problem, ended: SearchResult, free: np.ndarray) -> Leaning 
     pull, left, seen = answer(problem, ended, free)
     spring = float(ended.local.quantities[problem.quantities.index(LEANING[1])] @ pull)
     torque = -stiffness * BENT / max(1 - spring * BENT, 1 / STIFFER)
-    told = left**-0.5 / stiffness if left > 0 else np.inf
-    angle = seen / left / stiffness if left > 0 else 0.0
-    shown = bool(told < TOLD) and ended.disturbance.cause is None
-    return Leaning(moved(problem, ended, -torque * pull), angle, told, shown)
+    error, found = (left**-0.5, seen / left) if left > 0 else (np.inf, 0.0)
+    usual = likely(stiffness, spring, found, error) / abs(torque) if left > 0 else 1.0
+    return Leaning(
+        off=moved(problem, ended, -torque * pull),
+        usual=usual,
+        seen=found / stiffness,
+        told=error / stiffness,
+        shown=bool(error / stiffness < TOLD) and ended.disturbance.cause is None,
+    )
+
+
+def likely(stiffness: float, spring: float, shown: float, error: float) -> float:
+    """The constant torque over J [rad/s^2] that a spring makes which is slack within BENT of full
+    extension, as a standard deviation, where the recording shows so much of it: root mean square.
+
+    With the torque T the fit's c / J is off by `spring` T, so that such a spring is slack at
+    T / (c / J - spring T). The softer the fit's spring, the more of a stiffer one it may hide.
+    """
+    low, high = min(shown, 0.0) - REACH * error, max(shown, 0.0) + REACH * error
+    torque = np.linspace(low, high, STEPS)
+    torque = torque[stiffness > spring * torque]
+    angle = torque / (stiffness - spring * torque)
+    unlikely = (angle / BENT) ** 2 + ((torque - shown) / error) ** 2
+    weight = np.exp((unlikely.min() - unlikely) / 2)
+    return float(np.sqrt(np.average(torque**2, weights=weight)))
 
 
 def moved(problem: Problem, ended: SearchResult, steps: np.ndarray) -> dict[str, float]:
