@@ -7,7 +7,7 @@ from exoid.mismatch.answer.diagnosis import Booked, Parameter, Tested
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
-from exoid.mismatch.search.found import Found, names
+from exoid.mismatch.search.found import Found, names, unscaled_covariance
 from exoid.mismatch.sensors.agreement import BIAS
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term, name_of
@@ -51,15 +51,7 @@ def gyro_bias(best: Optimum, measure: Yardstick) -> Parameter | None:
 
 def covariance(found: Found, one: Optimum) -> np.ndarray:
     """Of all unknowns, for the inertia that the fit took; 0 of what is fixed or not told."""
-    normal = one.products.total[:-1, :-1].copy()
-    lower, upper = found.prepared.bounds(one.candidate)
-    fixed = lower == upper
-    fixed[found.prepared.numbers.shared.log_inertia] = True
-    normal[fixed], normal[:, fixed] = 0.0, 0.0
-    size_of = np.sqrt(np.diag(normal))
-    unit = np.where(size_of > 0, size_of, 1.0)
-    units = np.outer(unit, unit)
-    return np.linalg.pinv(normal / units, hermitian=True) / units * found.yardstick.scale
+    return unscaled_covariance(found.prepared, one) * found.yardstick.scale
 
 
 def taken_in(found: Found, best: Optimum) -> set[str]:

@@ -1,11 +1,8 @@
 """What an explanation does not need: out, the least needed first."""
 
-import numpy as np
-
-from exoid.mismatch.conclude.numbers import covariance
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.search.found import Found
+from exoid.mismatch.search.found import Found, lost_at_zero
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term
 
@@ -30,7 +27,5 @@ def lost(found: Found, one: Optimum, term: type[Term]) -> float:
     at, candidate = one.candidate.point.size + one.candidate.zero.size, one.candidate
     place = candidate.terms.index(term)
     first = at + sum(value.size for value in candidate.values[:place])
-    rows = slice(first, first + candidate.values[place].size)
-    variance = covariance(found, one)[rows, rows] / found.yardstick.scale
-    value = candidate.unknowns[rows]
-    return float(value @ np.linalg.pinv(variance) @ value)
+    rows = [*range(first, first + candidate.values[place].size)]
+    return lost_at_zero(found.prepared, one, rows)

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
@@ -47,6 +49,28 @@ class Workings:
 def size(one: Optimum) -> int:
     """How many parameters its terms have."""
     return sum(value.size for value in one.candidate.values)
+
+
+def unscaled_covariance(prepared: PreparedRecording, one: Optimum) -> np.ndarray:
+    """Of all unknowns, for the inertia that the fit took and independent noise; 0 of what is fixed
+    or not told.
+    """
+    normal = one.products.total[:-1, :-1].copy()
+    lower, upper = prepared.bounds(one.candidate)
+    fixed = lower == upper
+    fixed[prepared.numbers.shared.log_inertia] = True
+    normal[fixed], normal[:, fixed] = 0.0, 0.0
+    size_of = np.sqrt(np.diag(normal))
+    unit = np.where(size_of > 0, size_of, 1.0)
+    units = np.outer(unit, unit)
+    return np.linalg.pinv(normal / units, hermitian=True) / units
+
+
+def lost_at_zero(prepared: PreparedRecording, one: Optimum, rows: list[int]) -> float:
+    """What more would be left were these of its unknowns 0, to first order."""
+    variance = unscaled_covariance(prepared, one)[np.ix_(rows, rows)]
+    value = one.candidate.unknowns[rows]
+    return float(value @ np.linalg.pinv(variance) @ value)
 
 
 def best_of(settled: list[Optimum]) -> list[Optimum]:

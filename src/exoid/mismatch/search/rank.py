@@ -25,6 +25,11 @@ def by_evidence(settled: list[Optimum], base: Optimum, measure: Yardstick) -> li
     return sorted(known, key=order)
 
 
+def fewest(some: list[Optimum]) -> list[Optimum]:
+    """The one with the fewest numbers, of several the best; none where there is none."""
+    return sorted(some, key=lambda one: (size(one), one.square))[:1]
+
+
 def simpler(one: Optimum, best: Optimum) -> bool:
     """Is the best but a richer form of it?"""
     pairs = list(zip(one.candidate.terms, best.candidate.terms, strict=False))

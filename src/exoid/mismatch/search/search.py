@@ -27,10 +27,11 @@ from exoid.mismatch.search.glance import beside_free
 from exoid.mismatch.search.likely import likeliest, ordered, shortlist
 from exoid.mismatch.search.pairs import pairs, plainer_pairs, plainer_sets
 from exoid.mismatch.search.race import simulated
-from exoid.mismatch.search.rank import by_evidence
+from exoid.mismatch.search.rank import by_evidence, fewest
 from exoid.mismatch.search.several import as_good, several, sticks, with_one_more
 from exoid.mismatch.search.variants import (
     applies,
+    in_simplest_form,
     nested,
     reduced,
     suspected_sensors,
@@ -173,14 +174,17 @@ def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
     prepared, base, joint = found.prepared, found.base, [*found.pairs]
     alone = least(base, *found.singles)
     for best in ordered(joint)[:1]:
-        clear = found.clear(alone, best) or best.square > FLOOR * prepared.samples
-        if clear and not enough(prepared, best.square):
+        plain = in_simplest_form(prepared, best, usable)
+        joint.append(plain)
+        clear = found.clear(alone, plain) or plain.square > FLOOR * prepared.samples
+        if clear and not enough(prepared, plain.square):
             told("testing three causes and more")
-            joint += several(prepared, usable, best)
+            joint += several(prepared, usable, plain)
             joint += nested(prepared, ordered(joint)[:1], usable)
-    for best in ordered(joint)[:1]:
-        plainer = plainer_sets(prepared, usable, best)
-        joint += simulated(prepared, plainer, best.square)
+    for best in fewest(leaving_noise(joint, prepared)):
+        plain = in_simplest_form(prepared, best, usable)
+        plainer = plainer_sets(prepared, usable, plain)
+        joint += [plain, *simulated(prepared, plainer, plain.square)]
     lone, joint = lone_and_joint(prepared, joint)
     single = [*found.singles, *lone, *reduced(prepared, ordered(joint)[:1])]
     singles = by_evidence(single, base, found.yardstick)

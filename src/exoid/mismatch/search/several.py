@@ -10,7 +10,7 @@ from exoid.mismatch.search.found import size
 from exoid.mismatch.search.glance import beside_free, nearest
 from exoid.mismatch.search.likely import REACH, WORSE, likeliest, ordered, smeared
 from exoid.mismatch.search.race import simulated
-from exoid.mismatch.search.variants import applies
+from exoid.mismatch.search.variants import applies, in_simplest_form
 from exoid.physics.term import Term, busy
 
 MOST = 4  # causes of one recording
@@ -22,8 +22,8 @@ ROUNDS = 6  # of pinned steps
 
 def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum) -> list[Optimum]:
     """Sets with one cause more than the best at hand, and so on while that clearly explains more
-    and noise is not reached; then with another cause in the place of one. What explains as much
-    with another cause, or with one less, is found, too.
+    and noise is not reached; then with another cause in the place of one; each in its simplest
+    form. What explains as much with another cause, or with one less, is found, too.
     """
     found, measure = [], yardstick(prepared, best)
     for steps in (with_one_more, with_another):
@@ -33,8 +33,8 @@ def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
             measure = yardstick(prepared, better)
             if not measure.clear(best.square, better.square, max(size(better) - size(best), 1)):
                 break
-            found += wider
-            best = better
+            best = in_simplest_form(prepared, better, usable)
+            found += [*wider, best]
     if not found:
         return []
     rivals = simulated(prepared, with_another(prepared, usable, best), best.square)

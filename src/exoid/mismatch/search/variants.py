@@ -7,12 +7,14 @@ from typing import Any
 import numpy as np
 
 from exoid.fitting.solve.side_by_side import side_by_side
+from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FLOOR, enough, polished, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
+from exoid.mismatch.search.found import lost_at_zero, size
 from exoid.mismatch.search.rank import simpler_form
 from exoid.physics.parameter import declarations
-from exoid.physics.term import SensorTerm, Term, name_of
+from exoid.physics.term import SensorTerm, Term, holds, name_of
 
 BESIDE = 2  # of the best single terms are tried beside what the sensors surely say
 SEEN = 0.1  # of its period, over which what repeats shows itself
@@ -138,6 +140,51 @@ def nested(
                     )
                     starts.append(start)
     return side_by_side(partial(settle_free, prepared), starts)
+
+
+def in_simplest_form(
+    prepared: PreparedRecording, one: Optimum, usable: list[type[Term]]
+) -> Optimum:
+    """The same with simple terms in the place of richer ones, where what these have more explains
+    no more than noise may: dry friction that falls with speed by nothing is Coulomb's.
+    """
+    extra = extras(one, usable)
+    if not extra:
+        return one
+    measure = yardstick(prepared, one)
+    untold = [
+        simple
+        for simple, rows in extra.items()
+        if not measure.clear(lost_at_zero(prepared, one, rows), 0.0, len(rows))
+    ]
+    simpler = [
+        each
+        for each in nested(prepared, [one], untold)
+        if each.sound and not measure.clear(each.square, one.square, size(one) - size(each))
+    ]
+    if not simpler:
+        return one
+    return in_simplest_form(prepared, min(simpler, key=lambda each: each.square), usable)
+
+
+def extras(one: Optimum, usable: list[type[Term]]) -> dict[type[Term], list[int]]:
+    """Of the simpler forms of its terms, which of its unknowns each has not and may be 0: where an
+    excess is none, the speed at which it fades is of no matter. What sticks has no form that does
+    not.
+    """
+    found, first = {}, one.candidate.point.size + one.candidate.zero.size
+    for rich, value in zip(one.candidate.terms, one.candidate.values, strict=True):
+        for simple in (each for each in usable if each not in one.candidate.terms):
+            known = dict(declarations(simple))
+            more = [
+                first + at
+                for at, (name, declared) in enumerate(declarations(rich))
+                if name not in known and declared.lower <= 0.0 <= declared.upper
+            ]
+            if more and simpler_form(simple, rich) and holds(simple) is holds(rich):
+                found[simple] = more
+        first += value.size
+    return found
 
 
 def put(each: tuple, place: int, other: Any) -> tuple:
