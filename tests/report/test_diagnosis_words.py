@@ -15,6 +15,7 @@ from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.report.tables.diagnosis import suspects
 from exoid.report.words.astray import astray
+from exoid.report.words.diagnosis.asserted import ran_free
 from exoid.report.words.diagnosis.cause import parameter
 from exoid.report.words.diagnosis.leg import beside
 from exoid.report.words.diagnosis.sentences import sentences
@@ -267,3 +268,11 @@ def test_what_lacks_nothing_but_its_begins_blames_no_sensor_and_names_no_place()
     assert "Where" not in said
     assert headline(replace(doubtful(), but_ends=True)).startswith("Nothing is missing but where")
     assert headline(doubtful()) == "Cannot tell from this recording."
+
+
+@pytest.mark.parametrize("listed", [True, False])
+def test_the_best_candidate_is_listed_once_whichever_way_led_to_it(listed):
+    best, other = found().singles
+    again = [replace(best, evidence=4.9e3, chosen=False)] if listed else []
+    each = ran_free(replace(found(), singles=[*again, other], pairs=[]))
+    assert sorted(one.terms for one in each) == [best.terms, other.terms]

@@ -69,7 +69,15 @@ def as_a_term(found: Found, best: Optimum) -> tuple[Found, Optimum]:
         singles=by_evidence(alone, base, measure),
         pairs=by_evidence(joint, base, measure),
     )
-    return new, max(first, key=new.evidence)
+    return new, as_listed(new, max(first, key=new.evidence))
+
+
+def as_listed(found: Found, one: Optimum) -> Optimum:
+    """The same set of causes as it is among the candidates, where two ways led to it."""
+    each = (*found.singles, *found.pairs)
+    return next(
+        (other for other in each if {*other.candidate.terms} == {*one.candidate.terms}), one
+    )
 
 
 def with_fewer_errors(

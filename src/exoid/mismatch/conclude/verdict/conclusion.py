@@ -70,7 +70,8 @@ def concluded(
     biased = [BIAS] if bias is not None and verdict != "cannot_tell" else []
     inertia = float(np.exp(leg_of(found, best).log_inertia))
     selected = [*named_terms(found, best, certain), *biased]
-    suspected = maybe if verdict == "cannot_tell" else equal if len(equal) > 1 else []
+    rivals = [*equal, *(one for one in maybe if one not in equal)]
+    suspected = rivals if verdict == "cannot_tell" else equal if len(equal) > 1 else []
     return Diagnosis(
         verdict=verdict,
         reasons=judged.reasons,

@@ -66,7 +66,8 @@ def parted(found: Diagnosis) -> bool:
 def ran_free(found: Diagnosis) -> list[Tested]:
     """The candidates that ran free, the most evident first, and always the one that was chosen."""
     ran = sorted([*found.pairs, *found.singles], key=evidence, reverse=True)[:MOST]
-    return ran + ([] if not found.changed or any(one.chosen for one in ran) else [found.best])
+    listed = any({*one.terms} == {*found.best.terms} for one in ran)
+    return ran if listed or not found.changed else [*ran, found.best]
 
 
 def evidence(one: Tested) -> float:
