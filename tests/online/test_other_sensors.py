@@ -12,6 +12,7 @@ from exoid.recordings.recording import Recording, Segment, Subject
 from exoid.watching.estimate.expect import expected_of
 from exoid.watching.estimate.leg import Leg, LegDrop, Person
 from exoid.watching.estimate.load import Load
+from reflexes import ADULT, thrown
 
 SUBJECT = Subject(kind="leg", body_mass=77.0, height=1.80)
 TICK = 1e-3  # s, of what is simulated
@@ -76,6 +77,28 @@ def test_a_lift_at_the_begin_of_a_segment_is_no_drop():
     drops, last = followed([measured(lifted, 100, 0.15, gyro=True)])
     assert not drops
     assert last.trust is online.Trust.WAITING
+
+
+@pytest.mark.parametrize("strength", [0.3, 1.0])
+def test_a_reflex_that_no_gyro_sees_is_not_explained_either(strength):
+    """A muscle that pulls for 0.3 s: the leg swings on, by its angle alone."""
+    drops, last = followed([thrown(ADULT, strength, 100)])
+    assert not drops
+    assert last.trust is online.Trust.UNEXPLAINED
+    _, relaxed = followed([thrown(ADULT, 0.0, 100)])
+    assert relaxed.trust is online.Trust.GOOD
+
+
+def test_a_leg_that_a_hand_lowers_blames_no_model_by_its_angle_alone():
+    rng = np.random.default_rng(8)
+    lowered = np.concatenate(
+        [world.rest(rng, -0.3, TICK), world.lift(-0.3, -1.2, 1.2, TICK)], axis=1
+    )
+    still = np.concatenate([lowered, world.rest(rng, -1.2, TICK)], axis=1)
+    drops, last = followed([measured(still, 100, 0.15, gyro=False)])
+    assert not drops
+    assert last.trust is online.Trust.WAITING
+    assert last.begun > 0.0  # it left its hold as one does that is let go
 
 
 def test_another_noise_needs_no_program_of_its_own():

@@ -12,17 +12,15 @@ from exoid.online.filter.select import select
 from exoid.online.filter.whiteness import unwhite
 from exoid.online.model.model import Goals, Model
 from exoid.online.model.trust import Phase, Trust
-from exoid.online.model.unknowns import AT
 from exoid.online.movement.change import changed
 from exoid.online.movement.end import SHORTEST, SWINGS, ended, first_of, refuted
 from exoid.online.movement.evidence import evidence
 from exoid.online.movement.follow import follow
 from exoid.online.movement.knowledge import NEVER, Knowledge
 from exoid.online.movement.stream import heard, is_faulty, look
+from exoid.online.movement.turns import turned
 from exoid.online.movement.watch import watch
 from exoid.online.outlook import Outlook
-
-MOVES = 0.2  # rad/s beyond a gyro's bias: then a leg moves one way
 
 
 def take_in(model: Model, belief: Knowledge, row: Float[Array, " 6"]) -> tuple[Knowledge, Outlook]:
@@ -62,16 +60,6 @@ def forgetting(belief: Knowledge) -> Knowledge:
 def moved(model: Model, belief: Knowledge) -> Knowledge:
     """A sample of a free movement."""
     return ended(changed(model, follow(model, belief)), jnp.asarray(False))
-
-
-def turned(belief: Knowledge, rate: Float[Array, ""]):
-    """The movement's turns, by the gyro; by the filter where there is none."""
-    course, moving = belief.course, belief.phase == Phase.MOVING
-    followed = jnp.where(moving & course.opened, belief.filters.mean[1, -1], 0.0)
-    speed = jnp.where(jnp.isnan(rate), followed, rate - belief.filters.mean[1, AT["gyro_bias"]])
-    way = jnp.where(jnp.abs(speed) > MOVES, jnp.sign(speed), course.direction)
-    turns = course.turns + ((way != course.direction) & (course.direction != 0))
-    return replace(course, direction=way, turns=turns)
 
 
 def outlook(model: Model, belief: Knowledge) -> Outlook:

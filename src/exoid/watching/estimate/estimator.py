@@ -112,6 +112,7 @@ class Estimator:
             ratios=ratios,
             as_loaded=ratios,
             others=self.others,
+            begun=float(outlook.begun[at]),
         )
 
     def ended(self, row: Row, outlook: Outlook, at: int) -> Iterator[Drop]:

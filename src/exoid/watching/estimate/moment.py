@@ -1,6 +1,7 @@
 """What is known of a leg at a moment of its stream."""
 
 from dataclasses import dataclass
+from math import inf
 
 from exoid.online.model.trust import Phase, Trust
 
@@ -35,6 +36,7 @@ class Moment:
     ratios: tuple[Quantity, ...]
     as_loaded: tuple[Quantity, ...]
     others: tuple[Quantity, ...] = ()
+    begun: float = -inf  # s, when the last free movement began, whether it counted or not
 
     @property
     def believed(self) -> bool:

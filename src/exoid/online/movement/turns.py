@@ -1,0 +1,40 @@
+"""Which way a leg moves, and how often it has turned: by the gyro, by the angles where none is."""
+
+from dataclasses import replace
+from typing import Any
+
+import jax.numpy as jnp
+from jaxtyping import Array, Float
+
+from exoid.online.model.unknowns import AT
+from exoid.online.movement.knowledge import Knowledge, Recent
+from exoid.online.movement.stream import window
+
+MOVES = 0.2  # rad/s beyond a gyro's bias: then a leg moves one way
+SPAN = 0.1  # s of angles that tell a rate: no leg turns twice in it
+SURE = 4.0  # deviations of that rate, beyond which it is not the encoder's noise
+
+
+def turned(belief: Knowledge, rate: Float[Array, ""]):
+    """The movement's turns, seen whether the filters still follow it or not."""
+    course = belief.course
+    by_gyro = rate - belief.filters.mean[1, AT["gyro_bias"]]
+    by_angles, deviation = slope(belief.recent, belief.sensing.angle)
+    alone = jnp.isnan(rate)
+    speed = jnp.where(alone, by_angles, by_gyro)
+    moves = jnp.where(alone, jnp.maximum(MOVES, SURE * deviation), MOVES)
+    way = jnp.where(jnp.abs(speed) > moves, jnp.sign(speed), course.direction)
+    turns = course.turns + ((way != course.direction) & (course.direction != 0))
+    return replace(course, direction=way, turns=turns)
+
+
+def slope(recent: Recent, noise: Any) -> tuple[Float[Array, ""], Float[Array, ""]]:
+    """Rate [rad/s] of the line through the last angles of that variance, and its deviation."""
+    inside = window(recent, SPAN)
+    time, angle = (jnp.where(inside, recent.rows[:, at], 0.0) for at in (0, 1))
+    middle = jnp.sum(time) / jnp.maximum(jnp.sum(inside), 1)
+    since = jnp.where(inside, time - middle, 0.0)
+    spread = jnp.sum(since**2)
+    told = spread > 0
+    weight = jnp.where(told, spread, 1.0)
+    return jnp.sum(since * angle) / weight, jnp.where(told, jnp.sqrt(noise / weight), jnp.inf)
