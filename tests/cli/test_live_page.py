@@ -20,7 +20,6 @@ from exoid.cli.live.page.state import now
 from exoid.watching.board import Board, Weight
 from exoid.watching.estimate.moment import Moment, Quantity
 
-ADDRESS = re.compile(r"the page: (http://\S+)")
 PATIENCE = 60_000  # ms, for a machine that does other things as well
 
 
@@ -316,11 +315,7 @@ def test_a_browser_whose_connection_breaks_comes_back_by_itself(page, address, b
 @pytest.mark.slow
 def test_ctrl_c_ends_the_command_and_its_page(page, command):
     process = command.start("live", EXAMPLE, "--speed", 1, "--serve", "--port", 0, "--no-refine")
-    lines = []
-    while not (found := ADDRESS.search("".join(lines[-1:]))):
-        lines.append(process.stderr.readline())
-        assert lines[-1], "".join(lines)
-    page.goto(found[1])
+    page.goto(told(process, "the page"))
     page.wait_for_selector("#doing:has-text('let it drop')", timeout=PATIENCE)
     begin = time.monotonic()
     process.send_signal(signal.SIGINT)
@@ -329,3 +324,29 @@ def test_ctrl_c_ends_the_command_and_its_page(page, command):
     assert time.monotonic() - begin < 15.0
     assert "waiting for a free movement" in said or "drop" in said
     page.wait_for_selector("#link:text-is('ended')", timeout=PATIENCE)
+
+
+@pytest.mark.slow
+def test_when_a_file_is_over_the_page_says_so_and_stays_until_ctrl_c(page, command):
+    process = command.start("live", EXAMPLE, "--serve", "--port", 0)
+    address = told(process, "the page stays until Ctrl-C")
+    page.goto(address)
+    page.wait_for_selector("#link:text-is('the file is over')", timeout=PATIENCE)
+    assert page.inner_text("#doing") == "the file is over"
+    assert page.inner_text("#trust") == "enough: another drop would hardly change a thing"
+    assert page.inner_text("#next") == "-"
+    assert "0.4201" in page.inner_text("#rows")
+    process.send_signal(signal.SIGINT)
+    said, _ = process.communicate(timeout=LIMIT)
+    assert process.returncode == 0
+    assert said.splitlines()[0].startswith("88.4 s, 4 drops so far; enough")
+    page.wait_for_selector("#link:text-is('ended')", timeout=PATIENCE)
+
+
+def told(process, what: str) -> str:
+    """The address that the command says so."""
+    lines = []
+    while not (found := re.search(rf"{what}: (http://\S+)", "".join(lines[-1:]))):
+        lines.append(process.stderr.readline())
+        assert lines[-1], "".join(lines)
+    return found[1]

@@ -1,5 +1,7 @@
 """What panel and page say of a board: what is open, what does not fit, and what is on the leg."""
 
+from dataclasses import replace
+
 import pytest
 
 from exoid.cli.live.page.state import now
@@ -28,7 +30,7 @@ def board_of(trust, *goals) -> Board:
     """With advice and a fit that agrees."""
     board = Board([goal_of(each, (*NAMES, "inertia")) for each in goals], state="following")
     board.show(Moment(1.0, -1.0, 0.0, Phase.DONE, trust, 1, KNOWN, KNOWN))
-    board.advice = Advice(Movement(-0.5), NAMES[0], 0.34, 0.03, "1/s^2")
+    board.advice = Advice(Movement(-0.5), NAMES[0], 0.05, 0.03, "1/s^2")
     board.refined = Refined(1, {}, {NAMES[0]: 0.5}, agrees=True)
     return board
 
@@ -78,6 +80,39 @@ def test_a_drop_that_moves_as_a_recording_ends_is_told_beside_those_that_ended()
 def test_where_a_stream_held_no_drop_it_is_said_when_one_is_seen():
     assert "still for half a second" in words.unseen(board_of(Trust.WAITING))
     assert words.unseen(board_of(Trust.ENOUGH)) == ""
+
+
+def test_where_what_began_was_no_drop_it_is_said_when_that_was():
+    board = board_of(Trust.WAITING)
+    board.show(replace(board.moment, begun=2.1))
+    assert words.unseen(board).startswith("no drop counted: what began last at 2.1 s")
+    assert "half a second" not in words.unseen(board)
+
+
+@pytest.mark.parametrize(
+    ("error", "holds"), [(0.046, True), (0.055, True), (0.044, False), (5.0, False)]
+)
+def test_advice_holds_as_long_as_its_error_is_the_one_that_is_shown(error, holds):
+    """It is of 0.05, of which a tenth less is worth a drop."""
+    board = board_of(Trust.GOOD)
+    known = tuple(replace(each, error=error) for each in KNOWN)
+    board.show(replace(board.moment, phase=Phase.MOVING, ratios=known))
+    said = "let it drop from -29 deg: error of gravity over inertia 0.05 → 0.03 1/s^2"
+    assert words.advice(board) == (said if holds else "")
+    board.show(replace(board.moment, ratios=()))  # nobody knows it yet
+    assert words.advice(board) == said
+
+
+def test_a_leg_at_rest_is_asked_to_drop_while_that_is_worth_it_and_the_file_goes_on():
+    def doing(trust, over=""):
+        board = board_of(trust)
+        board.show(replace(board.moment, phase=Phase.WAITING))
+        board.over = over
+        return words.doing(board)
+
+    assert doing(Trust.GOOD) == "at rest: let it drop"
+    assert doing(Trust.ENOUGH) == doing(Trust.UNEXPLAINED) == "at rest"
+    assert doing(Trust.GOOD, "the file is over") == "the file is over"
 
 
 class Screen:

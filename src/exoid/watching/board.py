@@ -34,6 +34,7 @@ class Board:
 
     goals: Sequence[Goal] = ()
     state: str = "starting"  # then "following", "ended", or "failed"
+    over: str = ""  # that a file has no more, in words
     fault: BaseException | None = None
     spoiled: str | None = None  # why nothing of the stream can be believed
     filtered: bool = False

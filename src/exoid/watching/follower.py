@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from queue import Queue
 from threading import Thread
 
+from exoid.online.model.trust import Phase
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.watching.beside.coach import Coach
 from exoid.watching.beside.goals import reached
@@ -95,6 +96,11 @@ class Company:
         if coach is not None:
             coach.ask(leg.beliefs, leg.now, 0.0)
 
+    def ask_anew(self, moment: Moment) -> None:
+        """What to do next is found for what is known at the end of a stream, amid a movement."""
+        if self.coach is not None and moment.phase is Phase.MOVING:
+            self.coach.ask(self.leg.beliefs, self.leg.now, moment.time)
+
     def look(self, board: Board) -> None:
         """Put on the board what was found meanwhile."""
         if self.coach is not None:
@@ -103,6 +109,11 @@ class Company:
         if self.refinement is not None:
             self.refinement.look()
             board.refined, board.unrefined = self.refinement.latest, self.refinement.failed
+
+    @property
+    def fits(self) -> bool:
+        """Is the batch fit still made?"""
+        return self.refinement is not None and self.refinement.busy
 
     @property
     def busy(self) -> bool:

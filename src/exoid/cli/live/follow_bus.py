@@ -5,9 +5,9 @@ from functools import partial
 from pathlib import Path
 
 from exoid.cli.live.ending import conclude
-from exoid.cli.live.result import give
+from exoid.cli.live.result import give, judge
 from exoid.cli.live.session import Session
-from exoid.cli.live.viewing import Viewer, viewing
+from exoid.cli.live.viewing import Viewer, paged, viewing
 from exoid.cli.live.wanted import Wanted
 from exoid.cli.live.watched import Watched
 from exoid.cli.live.weighing import KEY, Weighing
@@ -88,7 +88,8 @@ def run_bus(bus: Bus, wanted: Wanted, *, marked: bool, duration: float | None) -
     keys = marked or (load.known and has_keyboard())
     with (
         stoppable() as stopped,
-        viewing(board, str(bus.address), wanted.views) as viewer,
+        paged(board, str(bus.address), wanted.views) as address,
+        viewing(board, str(bus.address), wanted.views, address) as viewer,
         keyboard(keys) as pressed,
     ):
         session = bus.follow(
@@ -101,4 +102,5 @@ def run_bus(bus: Bus, wanted: Wanted, *, marked: bool, duration: float | None) -
             refined=wanted.refine is not False,
         )
     conclude(session, err=wanted.views.err)
-    give(board, err=wanted.views.err, lost=viewer.lost)
+    give(board, err=wanted.views.err)
+    judge(board, lost=viewer.lost)

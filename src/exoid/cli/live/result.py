@@ -13,17 +13,22 @@ if TYPE_CHECKING:
 NAMES, NUMBERS = 26, 12  # letters of a column
 
 
-def give(board: "Board", *, err: bool, lost: bool) -> None:
+def give(board: "Board", *, err: bool) -> None:
     """The last of it, on stdout, or on stderr where that is another's.
 
-    **Raises** what ended the estimator; `typer.Exit` with 1 where goals were not reached, nothing
-    of the stream could be believed, or lines that were asked for are `lost`.
+    **Raises** what ended the estimator.
     """
     if board.fault is not None:
         raise board.fault
     say(*lines(board), err=err)
     if board.goals:
         say(verdict(board), err=err)
+
+
+def judge(board: "Board", *, lost: bool) -> None:
+    """**Raises** `typer.Exit` with 1 where goals were not reached, nothing of the stream could be
+    believed, or lines that were asked for are `lost`.
+    """
     if lost or board.spoiled is not None or (board.goals and not board.reached):
         raise typer.Exit(1)
 

@@ -1,4 +1,4 @@
-"""Where a board is shown: the panel or its lines, a file of JSON lines, and the page."""
+"""Where a board is shown: the page, the panel or its lines, and a file of JSON lines."""
 
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
@@ -44,20 +44,26 @@ class Viewer:
 
 
 @contextmanager
-def viewing(board: Board, name: str, views: Views) -> Iterator[Viewer]:
-    """All of it, until the end.
+def paged(board: Board, name: str, views: Views) -> Iterator[str | None]:
+    """The address of the page, as long as it is there; None where none was asked for.
 
-    **Raises** `ValueError` where the page cannot be served.
+    **Raises** `ValueError` where it cannot be served.
     """
-    with ExitStack() as inside:
-        lines = address = None
-        panel = Panel(board, name)
-        if views.serve:
-            from exoid.cli.live.page.serve import check_server, listening_on, serving
+    if not views.serve:
+        yield None
+        return
+    from exoid.cli.live.page.serve import listening_on, serving
 
-            check_server()
-            made = listening_on(views.host, views.port)
-            address = inside.enter_context(serving(board, name, made, views.host))
+    with serving(board, name, listening_on(views.host, views.port), views.host) as address:
+        yield address
+
+
+@contextmanager
+def viewing(board: Board, name: str, views: Views, address: str | None) -> Iterator[Viewer]:
+    """Panel and lines until the end, and the address of the page."""
+    with ExitStack() as inside:
+        lines = None
+        panel = Panel(board, name)
         if views.json_lines is not None:
             lines = JsonLines(views.json_lines, panel.tell)
             inside.callback(lines.close)

@@ -23,6 +23,7 @@ ANYBODY = (
     "nobody says whose leg it is, so that of any adult is expected: give --body-mass KG and "
     "--height M."
 )
+FITTING = "{}; the batch fit of its drops is still made: Ctrl-C ends without it."
 LOOKED_EVERY = 0.1  # s, at what helpers have found
 PATIENCE = 3.0  # s that what was heard may take to be taken in at the end
 
@@ -85,12 +86,18 @@ class Watched:
         """Is there nothing more to wait for?"""
         return self.board.reached or self.board.fault is not None
 
-    def end(self, patient: Callable[[], bool]) -> None:
-        """Take in what was heard, and while one is `patient` what helpers still look for."""
+    def end(self, patient: Callable[[], bool], over: str = "") -> None:
+        """Take in what was heard, and while one is `patient` what helpers still look for: then
+        the board says that it is `over`.
+        """
         self.follower.end(None if patient() else PATIENCE)
-        company = self.follower.company
+        company, moment = self.follower.company, self.board.moment
+        if company is not None and moment is not None and patient() and not self.over:
+            company.ask_anew(moment)
         self.look()
+        self.board.over = over
         while company is not None and company.busy and patient() and not self.over:
+            self.once(FITTING.format(over) if company.fits else None)
             time.sleep(LOOKED_EVERY)
             self.look()
         if company is not None:

@@ -1,5 +1,5 @@
 """Ctrl-C as a wish: what runs ends by itself, with everything in order; a terminal that goes away
-wishes nothing.
+wishes nothing, but where it is said to.
 """
 
 import signal
@@ -11,17 +11,20 @@ GONE = "SIGHUP"  # the terminal was closed, or the connection to it dropped; Win
 
 
 @contextmanager
-def stoppable() -> Iterator[Callable[[], bool]]:
-    """A function that says whether to stop. A second Ctrl-C interrupts at once."""
+def stoppable(*, hangs_up: bool = False) -> Iterator[Callable[[], bool]]:
+    """A function that says whether to stop. A second Ctrl-C interrupts at once. A terminal that
+    goes away wishes that, too, where it `hangs_up` what nobody needs then.
+    """
     wished = []
 
     def wish(number: int, _frame) -> None:
         wished.append(number)
         signal.signal(number, before[number])
 
-    numbers = [getattr(signal, name) for name in SIGNALS]
+    names = (*SIGNALS, GONE) if hangs_up and hasattr(signal, GONE) else SIGNALS
+    numbers = [getattr(signal, name) for name in names]
     before = {number: signal.signal(number, wish) for number in numbers}
-    if hasattr(signal, GONE):
+    if not hangs_up and hasattr(signal, GONE):
         before[signal.SIGHUP] = signal.signal(signal.SIGHUP, signal.SIG_IGN)
     try:
         yield lambda: bool(wished)

@@ -13,7 +13,7 @@ from exoid.watching.beside.movement import Movement, samples_of
 from exoid.watching.estimate.known import RATIOS, SCALED, known_of
 from exoid.watching.estimate.leg import Person
 from exoid.watching.estimate.load import Mass, expected_with
-from exoid.watching.estimate.moment import Quantity
+from exoid.watching.estimate.moment import Moment, Quantity
 from exoid.watching.estimate.online import Belief, init, replay
 from exoid.watching.estimate.unload import Told, unloaded, unloading
 
@@ -36,6 +36,13 @@ class Advice:
     before: float  # standard error in `unit`
     after: float
     unit: str
+
+    def holds(self, moment: Moment) -> bool:
+        """Is the error before it the one of that moment, as far as that is known? A movement that
+        goes on narrows it, and so would an answer that came late promise too much.
+        """
+        known = moment.quantities.get(self.name)
+        return known is None or WORTH * self.before <= known.error <= self.before / WORTH
 
     @property
     def words(self) -> str:

@@ -92,7 +92,8 @@ def live(
         ),
     ] = None,
     serve: Annotated[
-        bool, typer.Option("--serve", help="Show it on a page of this computer.")
+        bool,
+        typer.Option("--serve", help="Show it on a page of this computer (needs the extra live)."),
     ] = False,
     port: Annotated[
         int | None,
@@ -121,7 +122,8 @@ def live(
 
     From the first drop on the errors shrink while one watches; a mass that is known and changes
     tells kg m^2 as well. A bus is followed until Ctrl-C, a file to its end, either until a goal is
-    reached (then exit code 0, else 1).
+    reached (then exit code 0, else 1). The page of a file stays until Ctrl-C. A page (--serve)
+    needs the extra live: in a clone of exoid, python3 -m pip install '.[live]'.
 
     \b
     Examples:
@@ -135,6 +137,10 @@ def live(
     of_file = {"--column": column, "--dbc": dbc, "--signal": signal, "--flip": flip, "--zero": zero}
     check_source(recording, channel, of_bus | {"--side": side}, of_file)
     pace, page = speed_asked(speed), page_asked(host, port, serve=serve)
+    if serve:
+        from exoid.cli.live.page.serve import check_server
+
+        check_server()
     check_files(recording, output, json_lines, force=force)
     if segment:
         check_keyboard()

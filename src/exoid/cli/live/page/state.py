@@ -21,6 +21,7 @@ def now(board: Board) -> dict[str, Any]:
         "trust": visible(words.trust(board)),
         "level": level(board),
         "doing": words.doing(board),
+        "over": board.over,
         "stream": visible(board.stream),
         "drops": words.drops(board),
         "weight": words.weight(board),

@@ -1,21 +1,27 @@
 """What is on a board, in words and numbers as people read them; nothing here loads JAX."""
 
-from math import floor, log10
+from math import floor, isfinite, log10
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from exoid.watching.beside.goals import Goal
+    from exoid.watching.beside.next_movement import Advice
     from exoid.watching.board import Board
     from exoid.watching.estimate.moment import Quantity
 
-DOING = ("held, or nobody knows", "at rest: let it drop", "moving freely", "at rest, or caught")
+DOING = ("held, or nobody knows", "at rest", "moving freely", "at rest, or caught")
+LET_GO = "at rest: let it drop"
 STARTING = "the estimator is loading; what moves meanwhile is kept and taken in afterwards"
 BY_RATIOS = "one kind of drop tells ratios; a weighed mass on the shank for some of them tells J"
 WAITING, ENOUGH, UNEXPLAINED = 0, 3, 4  # trust
-MOVING = 2  # phase
+AT_REST, MOVING = 1, 2  # phases
 UNSEEN = (
     "no drop was seen: a leg is seen to be let go where it was still for half a second, above "
     "where it hangs, or where a segment of a file begins"
+)
+LED = (
+    "no drop counted: what began last at {:.1f} s was soon no free movement, as where a hand or a "
+    "muscle leads the leg: let go of it at once, and have it relaxed"
 )
 DIAGNOSE = (
     "something is missing in the model: exoid diagnose tells what, of a recording of it (-o); then "
@@ -86,7 +92,11 @@ def weight(board: "Board") -> str:
 
 
 def doing(board: "Board") -> str:
-    return "" if board.moment is None else DOING[int(board.moment.phase)]
+    """What the leg does, or that nothing more of it comes."""
+    if board.over or board.moment is None:
+        return board.over
+    asks = int(board.moment.phase) == AT_REST and not enough(board) and not unexplained(board)
+    return LET_GO if asks else DOING[int(board.moment.phase)]
 
 
 def quantities(board: "Board") -> list["Quantity"]:
@@ -120,12 +130,19 @@ def next_movement(board: "Board") -> str:
     """What to do, while there is something left to do."""
     if unexplained(board):
         return DIAGNOSE
-    return "" if board.advice is None or enough(board) else board.advice.words
+    found = standing(board)
+    return "" if found is None or enough(board) else found.words
+
+
+def standing(board: "Board") -> "Advice | None":
+    """The advice, as long as the error that it begins from is the one that is shown."""
+    found, moment = board.advice, board.moment
+    return found if found is not None and (moment is None or found.holds(moment)) else None
 
 
 def gain(board: "Board") -> str:
     """What that would bring."""
-    found = board.advice
+    found = standing(board)
     if found is None or found.movement is None or enough(board) or unexplained(board):
         return ""
     before, after = (f"{each:.2g}" for each in (found.before, found.after))
@@ -165,7 +182,7 @@ def unseen(board: "Board") -> str:
     """Why there may be no drop, of a stream that is over and only waited for one."""
     if board.ended or board.moment is None or int(board.moment.trust) != WAITING:
         return ""
-    return UNSEEN
+    return LED.format(board.moment.begun) if isfinite(board.moment.begun) else UNSEEN
 
 
 def allowance(board: "Board") -> str:

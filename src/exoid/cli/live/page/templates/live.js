@@ -119,6 +119,7 @@ function list(rows) {
 function show(board) {
   tell("trust", board.reached ? "enough: the goal is reached" : board.trust, board.reached ? "good" : board.level);
   tell("doing", board.doing || "\u00a0");
+  if (board.over) tell("link", board.over, "none");
   tell("drops", board.drops);
   at("loaded").hidden = !board.weight || board.ended;
   tell("weight", board.weight);
