@@ -80,9 +80,9 @@ def test_what_is_kept_goes_on_where_the_estimator_fails(command, drops, tmp_path
 
 
 class Busy:
-    """A company that looks for something for ever."""
+    """A company that makes a fit for ever."""
 
-    busy = True
+    busy = fits = True
 
     def look(self, board) -> None:
         pass
@@ -91,21 +91,26 @@ class Busy:
         self.busy = False
 
 
-def test_who_loses_patience_waits_for_nobody():
-    class Shown:
-        board = Board()
+class Shown:
+    def __init__(self):
+        self.board, self.said = Board(), []
 
-        def tell(self, sentence: str) -> None:
-            pass
+    def tell(self, sentence: str) -> None:
+        self.said.append(sentence)
 
+
+def test_who_loses_patience_waits_for_nobody_and_was_told_for_what():
     company: Any = Busy()
     panel: Any = Shown()
     asked: list[int] = []
     watched = Watched(lambda: company, panel, [])
     begin = time.monotonic()
-    watched.end(lambda: not asked.append(1) and len(asked) < 4)
+    watched.end(lambda: not asked.append(1) and len(asked) < 4, over="the file is over")
     assert time.monotonic() - begin < 5.0
     assert not company.busy
+    assert panel.board.over == "the file is over"
+    (said,) = panel.said
+    assert said.startswith("the file is over; the batch fit of its drops is still made: Ctrl-C")
 
 
 def test_a_mass_that_an_option_names_has_no_place_of_the_sidecars(command):

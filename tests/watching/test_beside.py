@@ -3,13 +3,14 @@
 import os
 import time
 from concurrent.futures import Future, ProcessPoolExecutor
+from dataclasses import replace
 from math import radians
 from multiprocessing import get_context
 
 import pytest
 from bundled_session import SUBJECT, until
 
-from exoid.online.model.trust import Trust
+from exoid.online.model.trust import Phase, Trust
 from exoid.watching.beside.coach import Coach
 from exoid.watching.beside.goals import goal_of
 from exoid.watching.beside.next_movement import Advice, Wish, advise
@@ -48,6 +49,18 @@ def test_an_inertia_asks_for_a_weight(person, first):
     assert found.movement.mass.weight > 0
     assert found.name == "inertia"
     assert found.after < 0.3 * found.before
+
+
+def test_at_the_end_of_a_stream_what_to_do_next_is_asked_anew_amid_a_movement(person, first):
+    coach = Coach(Wish(person))
+    company = Company(Leg(person, Load()), coach)
+    coach.waiting = None
+    company.ask_anew(replace(first.moment, phase=Phase.DONE))
+    assert coach.waiting is None
+    company.ask_anew(replace(first.moment, phase=Phase.MOVING))
+    assert coach.waiting is not None
+    assert coach.waiting[2] == first.moment.time
+    company.close()
 
 
 def test_what_is_foretold_of_a_drop_is_about_what_it_brings(person, readings):

@@ -33,13 +33,13 @@ def run_file(name: Path, opened: Opened, wanted: Wanted, speed: float) -> None:
             follow_file(opened, origin, viewer, stopped, speed=speed, refined=refined)
         give(board, err=views.err)
         if address is not None and not stopped():
-            stay(address)
+            stay(board, address)
     judge(board, lost=viewer.lost)
 
 
-def stay(address: str) -> None:
+def stay(board: Board, address: str) -> None:
     """A page can be read until somebody ends it, or is gone."""
-    say(f"exoid: the page stays until Ctrl-C: {address}", err=True)
+    say(f"exoid: {board.over}; its page stays until Ctrl-C: {address}", err=True)
     with stoppable(hangs_up=True) as left:
         while not left():
             time.sleep(LOOKED_EVERY)
