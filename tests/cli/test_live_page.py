@@ -316,7 +316,7 @@ def test_a_browser_whose_connection_breaks_comes_back_by_itself(page, address, b
 def test_ctrl_c_ends_the_command_and_its_page(page, command):
     process = command.start("live", EXAMPLE, "--speed", 1, "--serve", "--port", 0, "--no-refine")
     page.goto(told(process, "the page"))
-    page.wait_for_selector("#doing:has-text('let it drop')", timeout=PATIENCE)
+    page.wait_for_selector("#doing:has-text('at rest')", timeout=PATIENCE)
     begin = time.monotonic()
     process.send_signal(signal.SIGINT)
     said, _ = process.communicate(timeout=LIMIT)
@@ -329,7 +329,7 @@ def test_ctrl_c_ends_the_command_and_its_page(page, command):
 @pytest.mark.slow
 def test_when_a_file_is_over_the_page_says_so_and_stays_until_ctrl_c(page, command):
     process = command.start("live", EXAMPLE, "--serve", "--port", 0)
-    address = told(process, "the page stays until Ctrl-C")
+    address = told(process, "the file is over; its page stays until Ctrl-C")
     page.goto(address)
     page.wait_for_selector("#link:text-is('the file is over')", timeout=PATIENCE)
     assert page.inner_text("#doing") == "the file is over"
