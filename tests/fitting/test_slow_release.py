@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit, movements_of
-from exoid.fitting.hands.first_swing import fastest
+from exoid.fitting.hands.first_swing import bottom, fastest
 from exoid.fitting.hands.slow_release import begun
 from exoid.mismatch.conclude.verdict.begins_and_ends import begins_and_ends, what_next
 from exoid.mismatch.prepare import prepare
@@ -109,6 +109,26 @@ def test_swings_that_follow_a_fall_in_a_hand_end_before_a_soft_lift(swings):
     each = begun(whole, fastest(whole))
     lift = 0.01 * (HELD + 60) + swings  # s; it moves the leg by 0.1 deg in its first 0.1 s
     assert lift - 1.0 < each.segment.begins + each.segment.time[-1] < lift + 0.1
+
+
+@dataclass(frozen=True)
+class Stiff:
+    """ADULT in a hinge with dry friction, which stops it after a few swings."""
+
+    dry: float  # over J [1/s^2]
+
+    def pull(self, angle, rate):
+        return ADULT.pull(angle, rate) - self.dry * np.tanh(rate / 0.02)
+
+
+@pytest.mark.parametrize(("dry", "start"), [(0.7, -64.0), (0.8, -62.0), (1.0, -60.0), (1.1, -57.0)])
+def test_a_leg_that_stops_soon_after_its_bottom_keeps_the_swings_behind_it(dry, start):
+    """Too few samples there are surely free, so that nothing tells how a free leg moves."""
+    hand = Hand(start=np.radians(start))
+    (whole,) = movements_of([("stiff", dropped(Stiff(dry), hand, lasting=5.0, seed=1)[0])])
+    count = bottom(whole)
+    assert count > 0
+    assert begun(whole, count).angle.size == whole.angle.size - count
 
 
 def test_no_hand_is_looked_for_where_it_let_go_at_once_by_the_user_s_word():

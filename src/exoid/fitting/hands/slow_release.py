@@ -16,7 +16,7 @@ from exoid.fitting.hands.first_swing import bottom, fastest, kept_back_by
 from exoid.fitting.hands.kept_back import AS, NEXT
 from exoid.fitting.hands.last_instants import LOUD, Fitted, misses
 from exoid.fitting.misfit.missed import NOISY, Missed
-from exoid.recordings.motion.acceleration import derivatives, free_until
+from exoid.recordings.motion.acceleration import derivatives, free_until, own_law
 from exoid.recordings.motion.signal import Signal
 from exoid.recordings.signal.condition import cut
 
@@ -85,7 +85,7 @@ def begun(each: Movement, count: int) -> Movement:
 
 def free_until_hand(each: Movement, count: int) -> int:
     """One past its last sample that is as free as those since `count`: beside a fall in a hand, the
-    lift that follows the swings looked free as well.
+    lift that follows the swings looked free as well. All, where those are too few to tell.
     """
     assert each.extent is not None  # only a drop has turned around
     sure = each.extent.sure - each.extent.start
@@ -94,7 +94,9 @@ def free_until_hand(each: Movement, count: int) -> int:
         return size
     gyro = each.angular_velocity
     signal = Signal(each.segment.time, each.angle, each.angle_noise, gyro, each.velocity_noise)
-    return free_until(derivatives(signal), slice(count, sure), size)
+    seen = derivatives(signal)
+    law = own_law(seen, count, sure)
+    return size if law is None else free_until(seen, slice(count, sure), size, law)
 
 
 def of_slow(movements: list[Movement]) -> list[str]:
