@@ -184,6 +184,46 @@ def test_what_is_declared_of_the_mass_narrows_the_inertia():
     assert abs(told.value - LEG["inertia"]) < WITHIN * told.standard_error
 
 
+def one_by_one(recording, sessions):
+    """The same, a file of a segment each."""
+    subject = recording.subject
+    return [
+        (
+            f"{number}.csv",
+            replace(
+                recording,
+                segments=(segment,),
+                subject=replace(
+                    subject,
+                    session=session,
+                    added_mass=subject.added_mass and subject.added_mass[number],
+                    added_mass_distance=subject.added_mass_distance and 0.35,
+                ),
+            ),
+        )
+        for number, (segment, session) in enumerate(zip(recording.segments, sessions, strict=True))
+    ]
+
+
+@pytest.mark.slow
+def test_files_of_a_session_tell_no_more_of_its_weight_than_one_file_does():
+    """Weighed anew for each, three independent weights are better known than one."""
+    whole = loaded(added_mass_gyration=0.06)
+    together = fit(whole, multistart=2).parameters["inertia"].standard_error
+    same = fit(one_by_one(whole, [None] * 6), multistart=2).parameters["inertia"]
+    assert same.standard_error == pytest.approx(together, rel=0.06)
+    anew = fit(one_by_one(whole, map(str, range(6))), multistart=2).parameters["inertia"]
+    assert anew.standard_error < 0.7 * together
+
+
+@pytest.mark.slow
+def test_a_seat_that_is_tilted_in_every_file_of_a_session_is_named():
+    whole = drops(tilt=np.radians(3.0))
+    result = fit(one_by_one(whole, [None] * 5), multistart=2)
+    assert sum("to be tilted by" in note for note in result.notes) == 5
+    assert max(map(abs, off(result).values())) < WITHIN, off(result)
+
+
 def test_a_declared_zero_narrows_what_leans_on_it():
     plain = fit(drops(), multistart=2)
     exact = replace(QUARTZ, angle_zero_uncertainty=0.0)

@@ -63,7 +63,9 @@ def fit_each(given: RecordingsLike, **options) -> FitResult:
     moving = movements_in(amount.parts, clip=options.get("clip", "free"))
     moved = {each.name for each in moving}
     parts = [part for part in amount.parts if part.name in moved]
-    results, owner = [alone(part, options) for part in parts], [part.belongs for part in parts]
+    results = [alone(part, options) for part in parts]
+    sessions = [part.recording.subject.session for part in parts]
+    owner = [sessions.index(each) for each in sessions]
     aside = [*amount.notes, *left_out(amount.parts, moving)]
     if len(results) < 2:
         return with_aside(results[0], [*aside, *results[0].set_aside])
@@ -120,7 +122,7 @@ def fit_each(given: RecordingsLike, **options) -> FitResult:
             *lost,
             f"every segment was fitted alone: the ratios are the mean of {len(results)} fits, "
             "their errors come from the scatter between them and from what is the same in all "
-            "segments of a recording, and the starts are those of the first",
+            "segments of a session, and the starts are those of the first",
             *aside,
             *(note for note in said if note not in lost),
         ],

@@ -42,6 +42,7 @@ class Movement:
     added_mass_distance: float  # m, nan where it is to be estimated
     thigh_angle: float  # rad
     recording: int = 0  # of those that are fitted together
+    session: str | None = None  # in all recordings of one the same sensors, seat and weights
     extent: Extent | None = None  # how it began and ended; None where the whole segment is kept
     systematics: Systematics = DECLARED_NOTHING  # how well what is declared is known
     absent: tuple[str, ...] = ()  # what of Eq. 9 a rig does not have: gravity, stiffness

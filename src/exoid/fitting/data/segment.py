@@ -58,6 +58,7 @@ def movement(
         added_mass_distance=np.nan if mass > 0 and distance is None else distance or 0.0,
         thigh_angle=recording.thigh_angle(number),
         recording=belongs,
+        session=recording.subject.session,
         extent=part.extent,
         systematics=systematics(recording, number),
         absent=recording.absent,

@@ -61,7 +61,7 @@ class Target(eqx.Module):
     stage: Stage
     prior: Prior
     limits: Limits
-    footed: Float[Any, " recording"]  # how probably a foot put its leg's line off its level seat
+    seats: Float[Any, "seat recording"]  # 1 on each that a foot may have put a leg's line off
 
 
 def posed(basis: Basis) -> tuple[Target, np.ndarray]:
@@ -89,17 +89,18 @@ def posed(basis: Basis) -> tuple[Target, np.ndarray]:
         stage=problem.free,
         prior=prior,
         limits=limits,
-        footed=probably_footed(problem),
+        seats=seats_of(problem),
     )
     return target, vectors[:, ~kept]
 
 
-def probably_footed(problem: Problem) -> np.ndarray:
-    """Of every recording, whose tilt is no unknown or which says how level its seat was: 0."""
-    owned = "tilt" in problem.owned
-    footed = np.zeros(len(problem.recordings) if owned else 0)
-    footed[may_be_slanted(problem)] = FOOT
-    return footed
+def seats_of(problem: Problem) -> np.ndarray:
+    """Which recordings are on each seat on which the line of a leg may be off."""
+    entries = may_be_slanted(problem)
+    seats = np.zeros((len(entries), len(problem.recordings)))
+    for row, entry in zip(seats, entries, strict=True):
+        row[entry] = 1.0
+    return seats
 
 
 def without_fixed(belief: Belief) -> tuple[Prior, Limits]:
@@ -174,16 +175,17 @@ def log_density(
 
 
 def slanted_too(target: Target, tilt: Float[Array, " recording"]) -> Float[Array, ""]:
-    """log of p(tilt) over that of level seats alone: a part of all legs has a foot that puts their
+    """log of p(tilts) over that of level seats alone: a part of all legs has a foot that puts their
     line off, p = (1 - F) N(0, level) + F N(0, slant).
     """
-    if target.prior.mounting is None or not tilt.size:
+    seats, deviation, alike = target.seats, target.prior.mounting, target.prior.in_common
+    if not len(seats) or deviation is None or alike is None:
         return jnp.zeros(())
-    level = target.prior.mounting.tilt
-    wider = jnp.log(level / SLANT) + tilt**2 * (1 / level**2 - 1 / SLANT**2) / 2
-    share = jnp.where(target.footed > 0, target.footed, 0.5)
-    each = jnp.logaddexp(jnp.log1p(-share), jnp.log(share) + wider)
-    return jnp.sum(jnp.where(target.footed > 0, each, 0.0))
+    each = seats.sum(axis=1)
+    level = seats @ deviation.tilt / each / SLANT
+    square = seats @ (alike.tilt @ (tilt / deviation.tilt)) ** 2
+    wider = each * jnp.log(level) + square * (1 - level**2) / 2
+    return jnp.logaddexp(jnp.log1p(-FOOT), jnp.log(FOOT) + wider).sum()
 
 
 def points(target: Target, places: np.ndarray) -> Coordinates:

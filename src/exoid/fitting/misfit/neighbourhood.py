@@ -3,8 +3,10 @@
 from collections.abc import Callable
 from dataclasses import replace
 
+import jax
 import numpy as np
 from jaxtyping import Float, Int
+from scipy.linalg import block_diag
 
 from exoid.fitting.misfit.condensed import Condensed, Neighbourhood
 from exoid.fitting.model.constraint import violations_at
@@ -66,7 +68,8 @@ def declared_slopes(point: Coordinates, prior: Prior) -> np.ndarray:
         return np.zeros((0, laid.size))
     own = flattened(laid.places.mounting)
     slopes = np.zeros((own.size, laid.size))
-    slopes[np.arange(own.size), own] = laid.units[own] / flattened(prior.mounting)
+    whitening = block_diag(*jax.tree.leaves(prior.in_common))
+    slopes[:, own] = whitening * laid.units[own] / flattened(prior.mounting)
     return slopes
 
 

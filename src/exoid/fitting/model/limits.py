@@ -45,6 +45,7 @@ class Prior:
     own_deviation: LegParameters
     weight: Float[Any, ""]  # lambda of Eq. 11
     mounting: Mounting | None = None  # standard deviations of what recordings own
+    in_common: Mounting | None = None  # W of each, with W'W the inverse of its correlation
     terms: tuple[Term, ...] = ()  # what is expected of the terms' parameters
     terms_deviation: tuple[Term, ...] = ()  # an infinite one says nothing
 

@@ -124,10 +124,15 @@ def term_log_jacobian(prior: Prior, point: Coordinates, xp=jnp) -> Inexact[Any, 
 def mounting_residual(
     prior: Prior, mounting: Mounting, xp=jnp
 ) -> Inexact[Any, " mounting *column"]:
-    """value / sd of what recordings own: they are expected to be as declared."""
+    """W value / sd of what recordings own: they are expected to be as declared."""
     if prior.mounting is None:
         return xp.zeros((0, *mounting.zero.shape[1:]))
-    each = jax.tree.map(lambda value, sd: (value.T / sd).T, mounting, prior.mounting)
+    each = jax.tree.map(
+        lambda value, sd, whitening: whitening @ (value.T / sd).T,
+        mounting,
+        prior.mounting,
+        prior.in_common,
+    )
     return xp.concatenate(jax.tree.leaves(each))
 
 

@@ -35,6 +35,9 @@ GYRATION = 0.05  # m, half-normal radius of gyration of weights and cuffs about 
 # the weight of a lever that nobody took off.
 ZERO_OF_TORQUE = 0.05
 MEASURED_GYRATION = 0.1  # of a declared radius of gyration
+# Of the variance, what recordings of one session have in common: their sensors, seat and weights
+# are the same. The rest is a cuff that slips, a weight that is strapped on anew.
+ALIKE = 0.95
 
 
 @dataclass(frozen=True)
@@ -54,6 +57,7 @@ class Systematics:
 
 
 DECLARED_NOTHING = Systematics()
+NONE = np.zeros((0, 0))
 
 
 def systematics(recording: Recording, number: int) -> Systematics:
@@ -115,6 +119,38 @@ def own_deviations(movements: Sequence) -> dict[str, float]:
     else:
         found["log_distance"] = first.distance / np.mean(placed) if placed and min(placed) else 1.0
     return {name: value or 1.0 for name, value in found.items()}
+
+
+def in_common(each: Sequence, owned: Sequence[str] = OWNED) -> Mounting:
+    """W of everything that recordings own, with W'W the inverse of its correlation among them."""
+    recordings = by_recording(each)
+
+    def whitening(name: str) -> np.ndarray:
+        said = [common(own, name) for own in recordings]
+        alike = [[a is not None and a == b for b in said] for a in said]
+        correlation = np.where(np.eye(len(said)), 1.0, ALIKE * np.array(alike))
+        return np.linalg.inv(np.linalg.cholesky(correlation))
+
+    return Mounting(**{name: whitening(name) if name in owned else NONE for name in OWNED})
+
+
+def common(movements: Sequence, name: str) -> tuple | None:
+    """What another recording has to share for this to be off by the same; None of what is exact, or
+    is each recording's own: a gyro's bias drifts.
+    """
+    unknown = [one for one in movements if not is_exact(one, name, movements)]
+    if name == "gyro_bias" or not unknown:
+        return None
+    first = unknown[0]
+    where = first.load if name in OF_THE_MASS else first.thigh_angle if name == "tilt" else None
+    said = own_deviations(movements)[name], name in first.systematics.declared
+    return first.session, where, *said
+
+
+def sharing(whitening: np.ndarray) -> list[list[int]]:
+    """The recordings in groups, each of those that have this in common."""
+    alike = {tuple(np.flatnonzero(row).tolist()) for row in whitening.T @ whitening}
+    return sorted(map(list, alike))
 
 
 def zero_of_torque(movements: Sequence) -> float:

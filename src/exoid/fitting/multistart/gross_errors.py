@@ -14,7 +14,7 @@ from exoid.fitting.misfit.condensed import Neighbourhood
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import declared_slopes
 from exoid.fitting.model.coordinates import TYPICAL, places
-from exoid.fitting.model.systematics import DISAGREE, FARTHEST, FOOT, SLANT, SUSPECTED
+from exoid.fitting.model.systematics import DISAGREE, FARTHEST, FOOT, SLANT, SUSPECTED, sharing
 from exoid.fitting.model.term_parameters import parameters_of
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.multistart.weight_by_kind import likelihood
@@ -73,32 +73,33 @@ def slanted(problem: Problem, ended: SearchResult) -> dict[str, float]:
     """
     variance = np.zeros(len(problem.quantities))
     total = ended.local.data + ended.local.prior
-    for entry in may_be_slanted(problem):
-        seen = found(problem, ended.best, 0, entry, total)
-        gain = seen.likelihood(SLANT) - seen.likelihood(problem.deviation_of("tilt")[entry])
+    for seat in may_be_slanted(problem):
+        seen = found(problem, ended.best, 0, seat, total)
+        gain = seen.likelihood(SLANT) - seen.likelihood(problem.deviation_of("tilt")[seat[0]])
         odds = 1 / (1 + np.exp(-gain) * (1 / FOOT - 1))
-        variance += odds * off(problem, ended, entry, total)
+        variance += odds * off(problem, ended, seat, total)
     return dict(zip(problem.quantities, np.sqrt(variance), strict=True))
 
 
-def may_be_slanted(problem: Problem) -> list[int]:
-    """The recordings of legs whose line a foot may put off, of which nobody says how far."""
+def may_be_slanted(problem: Problem) -> list[list[int]]:
+    """The `seats` of legs whose line a foot may put off, of which nobody says how far."""
     if problem.belief.rig or "tilt" not in problem.owned:
         return []
     level = problem.deviation_of("tilt")
-    return [entry for entry in undeclared(problem, "tilt") if level[entry] < SLANT]
+    return [seat for seat in seats(problem) if level[seat[0]] < SLANT]
 
 
-def off(problem: Problem, ended: SearchResult, entry: int, total: np.ndarray) -> np.ndarray:
+def off(problem: Problem, ended: SearchResult, seat: list[int], total: np.ndarray) -> np.ndarray:
     """The mean square distance of every quantity from what it is, were the seat so much less sure:
     what it is then is off, and less sure.
     """
-    place, unit = place_of(ended.best, "tilt", entry), float(TYPICAL.mounting.tilt)
-    less = (unit / SLANT) ** 2 - (unit / problem.deviation_of("tilt")[entry]) ** 2
+    place, unit = places_of(ended.best, "tilt", seat), float(TYPICAL.mounting.tilt)
+    known = unit**2 * np.linalg.inv(believed(problem, seat))
+    less = known * ((problem.deviation_of("tilt")[seat[0]] / SLANT) ** 2 - 1)
     open_ = total.copy()
-    open_[place, place] += less
+    open_[np.ix_(place, place)] += less
     after, slopes = variances(open_), ended.local.quantities
-    step = -less * after[:, place] * ended.point.mounting.tilt[entry] / unit
+    step = -after[:, place] @ less @ (ended.point.mounting.tilt[seat] / unit)
     spread = np.einsum("qi,ij,qj->q", slopes, after - variances(total), slopes)
     return (slopes @ step) ** 2 + np.maximum(spread, 0.0)
 
@@ -111,13 +112,11 @@ def tilted(problem: Problem, free: Solved, row: int) -> Problem | None:
     total = white(problem, free, row) + declared.T @ declared
     deviation = problem.deviation_of("tilt").copy()
     chosen = False
-    for entry in undeclared(problem, "tilt"):
-        each = found(problem, free, row, entry, total)
+    for seat in seats(problem):
+        each, usual = found(problem, free, row, seat, total), deviation[seat[0]]
         wide = min(np.sqrt(max(each.value**2 - each.variance, 0.0)), STEEPEST)
-        if wide > deviation[entry]:
-            gain = each.likelihood(wide) - each.likelihood(deviation[entry])
-            if gain > CONVINCING:
-                deviation[entry], chosen = wide, True
+        if wide > usual and each.likelihood(wide) - each.likelihood(usual) > CONVINCING:
+            deviation[seat], chosen = wide, True
     return problem.widened(tilt=deviation) if chosen else None
 
 
@@ -127,14 +126,36 @@ def white(problem: Problem, at: Solved, row: int) -> np.ndarray:
     return told_at(problem, at, row) / noise
 
 
-def found(problem: Problem, at: Solved, row: int, entry: int, total: np.ndarray) -> Tilt:
-    """A tilt as all but its own prior tells it."""
-    place, unit = place_of(at, "tilt", entry), float(TYPICAL.mounting.tilt)
-    told = 1 / float(variances(total)[place, place])
-    before = (unit / problem.deviation_of("tilt")[entry]) ** 2
-    alone = max(told - before, 1e-9 * told)
-    value = float(at.coordinates.mounting.tilt[row, entry])
-    return Tilt(value * told / alone, unit**2 / alone)
+def found(problem: Problem, at: Solved, row: int, seat: list[int], total: np.ndarray) -> Tilt:
+    """The tilt of a seat as all but its own prior tells it: what its recordings have in common.
+
+    Of tilts with the prior covariance C, of which c is that with what they have in common, this is
+    w = c C^-1 of them, and of the variance that it has w c is told by them.
+    """
+    place, unit = places_of(at, "tilt", seat), float(TYPICAL.mounting.tilt)
+    covariance = believed(problem, seat)
+    whole = covariance.min()
+    weights = np.linalg.solve(covariance, np.full(len(seat), whole))
+    inside = variances(total)[np.ix_(place, place)] * unit**2
+    told = 1 / float(weights @ inside @ weights + whole * (1 - weights.sum()))
+    alone = max(told - 1 / whole, 1e-9 * told)
+    value = float(weights @ at.coordinates.mounting.tilt[row, seat])
+    return Tilt(value * told / alone, 1 / alone)
+
+
+def believed(problem: Problem, seat: list[int]) -> np.ndarray:
+    """The covariance with which the tilts of these recordings are believed [rad^2]."""
+    alike, deviation = problem.belief.prior.in_common, problem.deviation_of("tilt")[seat]
+    assert alike is not None  # `pose` gives one
+    correlation = np.linalg.inv(alike.tilt.T @ alike.tilt)[np.ix_(seat, seat)]
+    return correlation * np.outer(deviation, deviation)
+
+
+def seats(problem: Problem) -> list[list[int]]:
+    """The recordings of which no tilt is declared, in groups, each on one seat."""
+    alike, free = problem.belief.prior.in_common, undeclared(problem, "tilt")
+    assert alike is not None  # `pose` gives one
+    return [seat for seat in sharing(alike.tilt) if seat[0] in free]
 
 
 def variances(information: np.ndarray) -> np.ndarray:
@@ -186,6 +207,11 @@ def undeclared(problem: Problem, name: str) -> list[int]:
     """The recordings of which this is an unknown that they do not declare."""
     first = [own[0] for own in problem.recordings]
     return [n for n in problem.estimated(name) if name not in first[n].systematics.declared]
+
+
+def places_of(at: Solved, name: str, entries: list[int]) -> list[int]:
+    """Which coordinates these are."""
+    return [place_of(at, name, entry) for entry in entries]
 
 
 def place_of(at: Solved, name: str, entry: int) -> int:

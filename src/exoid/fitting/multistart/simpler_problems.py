@@ -6,7 +6,7 @@ import jax
 import numpy as np
 
 from exoid.fitting.data.pace import parts_of
-from exoid.fitting.model.systematics import OWNED, deviations
+from exoid.fitting.model.systematics import OWNED, deviations, in_common
 from exoid.fitting.solve.problem import Problem, known_of
 
 
@@ -49,9 +49,8 @@ def without_terms(problem: Problem) -> Problem:
     if not problem.terms:
         return problem
     movements, belief = problem.movements, problem.belief
-    prior = replace(
-        belief.prior, terms=(), terms_deviation=(), mounting=deviations(movements, OWNED)
-    )
+    declared = {"mounting": deviations(movements), "in_common": in_common(movements)}
+    prior = replace(belief.prior, terms=(), terms_deviation=(), **declared)
     belief = replace(
         belief, prior=prior, limits=replace(belief.limits, lower_terms=(), upper_terms=())
     )

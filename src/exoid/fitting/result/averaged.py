@@ -10,14 +10,14 @@ from exoid.fitting.result.fit_result import Estimate
 
 def averaged(each: Sequence[Estimate], owner: Sequence[int]) -> Estimate:
     """The mean of the values, with the standard error that their scatter gives it, and that of what
-    is the same in all segments of a recording: an encoder's zero, a seat's tilt, a clock, which no
-    scatter shows. `owner` is the number of the recording of each.
+    is the same in all segments of a session: an encoder's zero, a seat's tilt, a clock, which no
+    scatter shows. `owner` is the number of the session of each.
     """
     values = np.array([one.value for one in each], dtype=float)
     if values.size < 2:
         return replace(each[0], standard_error=None, shares=None, limited_by=None)
     scatter = float(values.std(ddof=1) / np.sqrt(values.size))
-    common = {name: size for name, size in of_recordings(each, owner).items() if size}
+    common = {name: size for name, size in of_sessions(each, owner).items() if size}
     error = float(np.hypot.reduce([scatter, *common.values()]))
     part = {name: (size / error) ** 2 for name, size in common.items()}
     mean = replace(each[0], value=float(values.mean()), standard_error=error, shares=None)
@@ -31,8 +31,8 @@ def mean_slack(each: Sequence[Estimate]) -> float | None:
     return float(np.mean([one.if_slack or 0.0 for one in each])) or None
 
 
-def of_recordings(each: Sequence[Estimate], owner: Sequence[int]) -> dict[str, float]:
-    """What every systematic makes of the mean's error: in one recording it pulls all segments
+def of_sessions(each: Sequence[Estimate], owner: Sequence[int]) -> dict[str, float]:
+    """What every systematic makes of the mean's error: in one session it pulls all segments
     alike, in another one its own way.
     """
     names = {name for one in each for name in one.limited_by or {}}
