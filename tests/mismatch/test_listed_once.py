@@ -8,12 +8,16 @@ from found_by_hand import SAMPLES, explaining, found_of
 from exoid.cli.inputs.terms import rivals_in
 from exoid.mismatch.answer.diagnosis import Suspect
 from exoid.mismatch.conclude.asserted import equivalents
+from exoid.mismatch.conclude.rivals import advice
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.search import search
 from exoid.mismatch.search.found import best_of
 from exoid.physics.terms.device.hard_stop import HardStop
+from exoid.physics.terms.device.torque_bias import TorqueBias
 from exoid.physics.terms.tissue.cubic_stiffness import CubicStiffness
 from exoid.physics.terms.tissue.end_range_stiffening import EndRangeStiffening
+from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
+from exoid.planning.plan_between import of_helpless
 
 
 def test_the_order_of_causes_makes_no_other_set():
@@ -50,3 +54,32 @@ def test_what_remains_of_a_set_is_no_second_candidate(searched):
 def test_nothing_is_told_apart_from_itself():
     suspected = [Suspect(["hard_stop"], [])] * 2
     assert rivals_in(SimpleNamespace(suspected=suspected)) == ["hard_stop"]
+
+
+def test_no_plan_is_asked_to_tell_what_pushes_alike_from_each_other():
+    """The torque of a spring that is slack elsewhere is a constant one."""
+    names = ("stiffness_rest_angle", "torque_bias", "cubic_stiffness")
+    suspected = [Suspect([name], []) for name in names]
+    assert rivals_in(SimpleNamespace(suspected=suspected[:2])) == ["stiffness_rest_angle"]
+    assert rivals_in(SimpleNamespace(suspected=suspected)) == [names[0], names[2]]
+
+
+def test_nothing_is_to_be_recorded_to_tell_what_pushes_alike_from_each_other():
+    each = [explaining(1000.0, term) for term in (StiffnessRestAngle, TorqueBias, CubicStiffness)]
+    (said,) = advice(each[:2], "mismatch", None)
+    assert "no recording of the motion tells them apart" in said
+    twins, other = advice(each, "cannot_tell", None)
+    assert (twins, other) == (
+        said,
+        f"To tell {CubicStiffness.title} apart: {CubicStiffness.isolate}.",
+    )
+    (alone,) = advice([each[1]], "cannot_tell", None)
+    assert TorqueBias.isolate in alone
+
+
+def test_a_plan_between_what_pushes_alike_says_that_nothing_tells_it():
+    (said,) = of_helpless([StiffnessRestAngle, TorqueBias])
+    assert "nothing of the leg but the name" in said
+    several = of_helpless([StiffnessRestAngle, TorqueBias, CubicStiffness])
+    assert several[0] == said
+    assert several[-1] == f"cubic_stiffness shows in {CubicStiffness.isolate}."

@@ -1,6 +1,7 @@
 """What a piece of missing physics, or an error of a sensor, is: one class, in a file of its own."""
 
 from abc import abstractmethod
+from collections.abc import Sequence
 from typing import Any, ClassVar
 
 import equinox as eqx
@@ -49,7 +50,7 @@ class Term(eqx.Module):
 
     twin: ClassVar[str] = ""  # what looks the same in every recording
     named_only: ClassVar[bool] = False  # need no search try it by itself: a twin, or a finer form
-    same_torque: ClassVar[str] = ""  # the term that pushes just like this one
+    same_torque: ClassVar[str] = ""  # the term that pushes just like this one, whatever is recorded
     opposite: ClassVar[str] = ""  # the term that this one takes in where the two are opposite
     memory_size: ClassVar[int] = 0  # of a state of its own
     lasting: ClassVar[bool] = False  # may the state outlast that the leg is held before a drop
@@ -163,3 +164,18 @@ def name_of(term: type[Term]) -> str:
     """coulomb_friction for CoulombFriction."""
     letters = (f"_{each.lower()}" if each.isupper() else each for each in term.__name__)
     return "".join(letters).lstrip("_")
+
+
+def pushing_alike(terms: Sequence[type[Term]]) -> list[type[Term]]:
+    """Those of which another one pushes just alike, at every angle and under every load."""
+    known = set(map(name_of, terms))
+    return [term for term in dict.fromkeys(terms) if term.same_torque in known]
+
+
+def of_alike(terms: Sequence[type[Term]]) -> str:
+    """That nothing has to be recorded for their sake."""
+    return (
+        f"{' and '.join(term.title for term in terms)} push alike at every angle and with every "
+        "mass: no recording of the motion tells them apart, and nothing of the leg but the name "
+        "hangs on which it is."
+    )

@@ -10,7 +10,7 @@ from exoid.fitting.result.fit_result import FitResult, SegmentFit
 from exoid.fitting.solve.ask import sensed
 from exoid.mismatch.evidence.measure import long_run
 from exoid.mismatch.evidence.yardstick import UNEXPLAINED
-from exoid.physics.term import Term, name_of
+from exoid.physics.term import Term, name_of, of_alike, pushing_alike
 from exoid.planning.candidate_recordings import candidates, drops_of_rig, moving
 from exoid.planning.expected_information import posed
 from exoid.planning.expected_odds import DECISIVE, RivalFit, probability, rival_fit
@@ -184,9 +184,7 @@ def advice(
             f"by log odds of {-second:.1f}."
         )
     if helpless:
-        said.append("no recording of this kind tells them apart; what might is said below.")
-        terms = dict.fromkeys(type(term) for each in known for term in each.terms)
-        said.extend(f"{name_of(term)} shows in {term.isolate}." for term in terms)
+        said.extend(of_helpless([type(term) for each in known for term in each.terms]))
     said.extend(
         of_strays([name for name, each in zip(names, fits, strict=True) if not each.follows])
     )
@@ -196,6 +194,16 @@ def advice(
             "alone or beside them. exoid diagnose searches for it."
         )
     return said
+
+
+def of_helpless(terms: list[type[Term]]) -> list[str]:
+    """That no candidate tells them apart, and what might."""
+    alike = pushing_alike(terms)
+    others = [term for term in dict.fromkeys(terms) if term not in alike]
+    said = [of_alike(alike)] if alike else []
+    if others or not alike:
+        said.append("no recording of this kind tells them apart; what might is said below.")
+    return [*said, *(f"{name_of(term)} shows in {term.isolate}." for term in others)]
 
 
 def of_strays(names: list[str]) -> list[str]:

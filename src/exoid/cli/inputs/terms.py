@@ -192,13 +192,20 @@ def suspected_in(model: Path, own: tuple) -> list[str]:
 
 
 def rivals_in(found) -> list[str]:
-    """The single causes of a name that a diagnosis suspects, as --between takes them."""
+    """The single causes of a name that a diagnosis suspects, as --between takes them; of those that
+    push alike whatever is recorded the first.
+    """
     from exoid.mismatch.novel.nameless import NAMELESS
+    from exoid.physics.library import library
     from exoid.physics.term import name_of
 
-    nameless = set(map(name_of, NAMELESS))
-    single = [each.terms[0] for each in found.suspected if len(each.terms) == 1]
-    return list(dict.fromkeys(name for name in single if name not in nameless))
+    twin = {name_of(term): term.same_torque for term in library()}
+    left_out, rivals = set(map(name_of, NAMELESS)), []
+    for name in (each.terms[0] for each in found.suspected if len(each.terms) == 1):
+        if name not in left_out:
+            rivals.append(name)
+            left_out |= {name, twin.get(name, "")}
+    return rivals
 
 
 def valued(name: str, term: type, text: str):

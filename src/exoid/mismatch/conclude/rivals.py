@@ -13,6 +13,7 @@ from exoid.mismatch.evidence.yardstick import APART
 from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, Workings, names, words
+from exoid.physics.term import of_alike, pushing_alike
 
 FELT = 2.0  # standard errors by which a cause that is hardly seen must move a number
 LARGE = 0.1  # share of the variance, from which on a cause is worth a word
@@ -187,5 +188,7 @@ def advice(
     terms = dict.fromkeys(term for one in rivals for term in one.candidate.terms)
     if verdict == "mismatch" and len(rivals) < 2 and not any(term.twin for term in terms):
         return []
-    apart = [f"To tell {term.title} apart: {term.isolate}." for term in terms]
-    return apart or more or [ONE_AT_A_TIME]
+    alike = pushing_alike(list(terms))
+    said = [of_alike(alike)] if alike else []
+    said += [f"To tell {term.title} apart: {term.isolate}." for term in terms if term not in alike]
+    return said or more or [ONE_AT_A_TIME]

@@ -12,6 +12,7 @@ from exoid.report.tables.table import Table, print_table
 from exoid.report.words.person import identity
 from exoid.report.words.text import heading, note, say, told_apart
 
+NONE = 0.05  # log odds that count as none: a twentieth more likely
 NAMES = {
     "rivals": "between",
     "at_hand": "log_odds_at_hand",
@@ -46,7 +47,7 @@ def print_tellings(found: Contrast, console: Console) -> None:
     heading(console, "One segment more, and what it would tell")
     columns = {
         "release": [each.candidate.words for each in shown],
-        "log odds": told_apart([each.log_odds for each in shown]),
+        "log odds": told_apart([each.log_odds if each.log_odds > NONE else 0.0 for each in shown]),
         "20 to 1": [f"{each.probability:.0%}" for each in shown],
     }
     print_table(Table("", columns), console)
