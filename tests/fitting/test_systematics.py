@@ -7,7 +7,13 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
-from exoid.fitting.result.limiting_systematics import chief, limited_anew, limiting
+from exoid.fitting.result.limiting_systematics import (
+    ADVICE,
+    chief,
+    limited_anew,
+    limiting,
+    what_to_do,
+)
 from exoid.physics.sensing.clock_rate import ClockRate
 from exoid.recordings.recording import Protocol, Recording, Segment
 from fit_cases import BODY, NOISE
@@ -235,6 +241,19 @@ def test_a_declared_zero_narrows_what_leans_on_it():
     assert "zero" not in sure.ratios[name].limited_by
 
 
+def test_nobody_is_told_to_weigh_what_is_weighed():
+    """Nor to measure with a tape what the motion tells to a tenth of a millimetre."""
+    known = loaded(added_mass_uncertainty=0.002, added_mass_gyration=0.06)
+    result = fit(known, multistart=2)
+    assert what_to_do("added_mass", result).startswith("± holds what the sidecar says")
+    assert what_to_do("added_mass_distance", result) == ADVICE["added_mass_distance"]
+    (owned,) = result.mountings
+    sure = replace(owned.added_mass_distance, standard_error=1e-4)
+    told = replace(result, mountings=[replace(owned, added_mass_distance=sure)])
+    assert "to 0.1 mm, better than a tape" in what_to_do("added_mass_distance", told)
+    assert what_to_do("zero", result) == ADVICE["zero"]
+
+
 def test_notes_tell_what_limits_an_error_as_it_is_after_it_was_widened():
     """A systematic is most of the variance of m l g / J, until a rival cause is."""
     before = fit(drops(), multistart=2)
@@ -242,7 +261,7 @@ def test_notes_tell_what_limits_an_error_as_it_is_after_it_was_widened():
     each = before.ratios[name]
     most = chief(each)
     assert most is not None
-    old = limiting({**before.parameters, **before.ratios})
+    old = limiting(before)
     assert any(f"{each.symbol} ({most[1]:.0%})" in note for note in old)
     wide = each.widened(2 * each.standard_error, cause="rival causes")
     assert wide.limited_by[most[0]] + wide.limited_by["rival causes"] <= 1

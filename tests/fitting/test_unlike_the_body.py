@@ -9,11 +9,12 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.errors.profile import profiles
-from exoid.fitting.estimate import fit
+from exoid.fitting.estimate import fit, movements_of
 from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.model.prior_and_limits import believe
+from exoid.fitting.model.systematics import Systematics
 from exoid.fitting.result.fit_result import Estimate
-from exoid.fitting.result.remarks.added_mass_remarks import same_swing
+from exoid.fitting.result.remarks.added_mass_remarks import acting, same_swing
 from exoid.fitting.result.remarks.anatomy_remarks import at_rate, length_of, of_anatomy
 from exoid.fitting.result.remarks.leaning import LEANING, Leaning
 from exoid.fitting.result.remarks.scale_remarks import POUND, away, of_scale
@@ -225,6 +226,19 @@ def test_a_distance_that_does_not_agree_with_the_motion_leaves_nothing_but_ratio
     assert ratio.value is not None
     assert ratio.standard_error is not None
     assert abs(ratio.value - 11.0 / 0.41) < 3 * ratio.standard_error
+
+
+@pytest.mark.parametrize("distance", [0.296, 0.292])
+def test_a_mass_that_acts_elsewhere_is_said_to_be_where_it_is_not_declared(distance):
+    """Its distance and its extent may go together so that it swings just as declared."""
+    (each,) = movements_of([("a", with_mass(0.3, 0.0127, declared=0.3))])[1:]
+    known = frozenset({"extent"})
+    each = replace(each, systematics=Systematics(expected_extent=0.0127**2, declared=known))
+    square = distance * (0.3 + 0.0127**2 / 0.3 - distance)
+    moved = {"log_distance": np.log(distance / 0.3), "extent": square - 0.0127**2}
+    said = acting(each, lambda name: moved[name])
+    assert said.startswith(f"{distance:.3g} m from the knee")
+    assert "where 0.3 m is declared" in said
 
 
 @pytest.mark.parametrize(("gyration", "off"), [(0.0, 0.005), (0.05, -0.005), (0.1, 0.0)])

@@ -13,6 +13,7 @@ from exoid.fitting.errors.profile import named, weights_of
 from exoid.fitting.misfit.neighbourhood import columns
 from exoid.fitting.misfit.uncertainty import HELD, Information, inverse_times
 from exoid.fitting.result.fit_result import RIVALS, Basis, Estimate, FitResult
+from exoid.fitting.result.untold import MISPLACED
 from exoid.fitting.solve.ask import take
 from exoid.trust.directions import listed, null_directions, weak_directions
 from exoid.trust.identifiability import Identifiability, Reversal
@@ -58,6 +59,7 @@ def identify(result: FitResult) -> Identifiability:
     mirrored = reversals(basis.problem.movements)
     names, correlation = correlations(told | dict(named(result)), gradients, basis)
     apart = strangers(result)
+    weighed_off = result.parameters["inertia"].reason == MISPLACED  # which its notes tell
     return Identifiability(
         exact,
         weak,
@@ -71,7 +73,7 @@ def identify(result: FitResult) -> Identifiability:
             *(each.words for each in exact),
             *(each.words for each in weak),
             *(each.words for each in none),
-            *scale_remark(basis, "inertia" in told),
+            *([] if weighed_off else scale_remark(basis, "inertia" in told)),
             *torque_remarks(basis, shares, mirrored, symbols),
         ],
         apart,

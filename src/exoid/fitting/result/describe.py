@@ -147,7 +147,7 @@ def notes(result: FitResult, basis: Basis, at_bound: set[str], slack: Leaning | 
     be used, not how well they are known.
     """
     problem, ended = basis.problem, basis.ended
-    known = [*limiting({**result.parameters, **result.ratios}), *granted(problem)]
+    known = [*limiting(result), *granted(problem)]
     return [
         *of_astray(result.astray, problem),
         *(of_misplaced(problem, ended) if result.follows else []),

@@ -12,6 +12,7 @@ from exoid.fitting.result.fit_result import Estimate, FitResult, MountingFit
 from exoid.fitting.result.remarks.tilt_or_zero import either
 from exoid.fitting.solve.problem import Problem
 
+TAPE = 5e-4  # m, to which a tape's millimetres are read
 WORTH = 0.3  # of a variance, from which on a systematic is named
 WORDS = {
     "zero": "the encoder's zero",
@@ -23,6 +24,11 @@ WORDS = {
     "added_mass": "the weight of the added mass",
     "added_mass_distance": "the distance of the added mass",
     "added_mass_gyration": "the extent of the added mass",
+}
+DECLARED_AS = {  # by `Systematics`, where it has another name there
+    "added_mass": "log_added",
+    "added_mass_distance": "distance",
+    "added_mass_gyration": "extent",
 }
 ADVICE = {
     "zero": "say how well the encoder's zero is known (angle_zero_uncertainty_deg)",
@@ -59,25 +65,49 @@ def chief(each: Estimate) -> tuple[str, float] | None:
     return (name, shares[name]) if name is not None and shares[name] >= WORTH else None
 
 
-def limiting(quantities: dict[str, Estimate]) -> list[str]:
+def limiting(result: FitResult) -> list[str]:
     """One sentence for each systematic that limits something: what, and what to do. What else
     limits a number has a note of its own.
     """
     found: dict[str, list[str]] = {}
-    for each in quantities.values():
+    for each in (*result.parameters.values(), *result.ratios.values()):
         if each.standard_error and (most := chief(each)) and most[0] in WORDS:
             found.setdefault(most[0], []).append(f"{each.symbol} ({most[1]:.0%})")
     return [
-        f"{WORDS[name]} limits {', '.join(symbols)} (its part of the variance): {ADVICE[name]}."
+        f"{WORDS[name]} limits {', '.join(symbols)} (its part of the variance): "
+        f"{what_to_do(name, result)}."
         for name, symbols in found.items()
     ]
+
+
+def what_to_do(name: str, result: FitResult) -> str:
+    """What narrows a systematic: where the motion tells a place better than a tape, or the sidecar
+    says already how well something is known, not what was done.
+    """
+    each = [one.known[name] for one in result.mountings if name in one.known]
+    errors = [one.standard_error for one in each]
+    if name == "added_mass_distance" and errors and all(one and one < TAPE for one in errors):
+        return (
+            f"the motion tells it to {1e3 * max(errors):.1g} mm, better than a tape does: drop it "
+            "more often, with that mass and without"
+        )
+    if result.basis is not None and is_declared(name, result.basis.problem):
+        return "± holds what the sidecar says of it: only what is known better narrows it"
+    return ADVICE[name]
+
+
+def is_declared(name: str, problem: Problem) -> bool:
+    """Do all recordings say how well it is known?"""
+    own = DECLARED_AS.get(name, name)
+    movements = [one for one in problem.movements if one.added_mass > 0 or name == own]
+    return all(own in one.systematics.declared for one in movements)
 
 
 def limited_anew(result: FitResult, before: FitResult) -> FitResult:
     """The same after its errors were widened from those of `before`: its notes tell what limits a
     number of its error as it is now.
     """
-    old, new = (limiting({**each.parameters, **each.ratios}) for each in (before, result))
+    old, new = limiting(before), limiting(result)
     notes = result.notes
     first = next((at for at, note in enumerate(notes) if note in old), len(notes))
     behind = [note for note in notes[first:] if note not in old]

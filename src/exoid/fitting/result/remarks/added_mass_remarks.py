@@ -9,6 +9,15 @@ from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.remarks.anatomy_remarks import STRANGE
 from exoid.fitting.solve.problem import Problem
 
+MEASURE = (
+    "Measure from the axis of the knee to the middle of the mass, and give added_mass_distance_m "
+    "and added_mass_gyration_m."
+)
+MISSED = (
+    "That may be what the model misses, as friction is: 'exoid diagnose' asks what; else measure "
+    "from the axis of the knee to the middle of the mass."
+)
+
 
 def of_added_mass(problem: Problem, ended: SearchResult, field: str, entry: int) -> str:
     """What the fit takes the mass of a recording for, where it moves a `field` of its mounting too
@@ -45,9 +54,8 @@ def of_misplaced(problem: Problem, ended: SearchResult) -> list[str]:
         each, whose = loaded(problem, entry)
         said.append(
             f"the declared distance of the added mass{whose} does not agree with how the leg "
-            f"moves: it acts as one at {acting(each, found_of(problem, ended, entry))}. Measure "
-            "from the axis of the knee to the middle of the mass, and give added_mass_distance_m "
-            "and added_mass_gyration_m. The ratios to J hold."
+            f"moves: it acts as one at {acting(each, found_of(problem, ended, entry))}. "
+            f"{MISSED if ended.disturbance.cause else MEASURE} The ratios to J hold."
         )
     return said
 
@@ -70,19 +78,25 @@ def found_of(problem: Problem, ended: SearchResult, entry: int) -> Callable[[str
 
 
 def acting(each: Movement, found: Callable[[str], float]) -> str:
-    """Where a mass would act as it does by what was `found` of its mounting, beside where it is."""
+    """Where a mass would act as it does by what was `found` of its mounting, beside where it is; by
+    another radius of gyration where it swings as from there, and weighs as if it were elsewhere.
+    """
     usual = each.systematics.expected_extent
     distance = each.added_mass_distance * exp(found("log_distance"))
     square = max(usual + found("extent"), 0.0)
-    said = f"{same_swing(distance, square, usual):.2g} m from the knee, where "
-    said += f"{each.added_mass_distance:.3g} m is declared"
-    if square == usual:
+    declared, at, extent = f"{each.added_mass_distance:.3g}", f"{distance:.3g}", sqrt(square)
+    swings, by = f"{same_swing(distance, square, usual):.3g}", f"is the usual {sqrt(usual):.2g} m"
+    if "extent" in each.systematics.declared:
+        by = f"is the declared {sqrt(usual):.2g} m"
+    if swings == declared != at:
+        return (
+            f"{at} m from the knee with a radius of gyration of {extent:.2g} m, where {declared} m "
+            f"is declared, and that {by}"
+        )
+    said = f"{swings} m from the knee, where {declared} m is declared"
+    if swings == at:
         return said
-    by = "declared" if "extent" in each.systematics.declared else "usual"
-    return (
-        f"{said}, if its radius of gyration is the {by} {sqrt(usual):.2g} m (at {distance:.3g} m "
-        f"it would be {sqrt(square):.2g} m)"
-    )
+    return f"{said}, if its radius of gyration {by} (at {at} m it would be {extent:.2g} m)"
 
 
 def same_swing(distance: float, square: float, usual: float) -> float:
