@@ -62,6 +62,14 @@ def test_a_record_without_any_drop_is_told_and_did_not_succeed(command, folder, 
     assert not figure.exists()
 
 
+def test_a_drop_of_which_nothing_can_be_read_did_not_succeed(command, tmp_path):
+    write_table(drop(noise=NOISE, lasting=0.1), tmp_path / "short.csv")
+    done = command("drops", tmp_path / "short.csv")
+    assert "±" not in done.stdout
+    assert "not read" in done.stdout
+    assert done.returncode == 1
+
+
 def test_bad_input_is_refused_in_one_line(command, folder, tmp_path):
     assert "Check the name" in refusal(command("drops", tmp_path / "none.csv"))
     assert ".pdf or .svg or .png" in refusal(

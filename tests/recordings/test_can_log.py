@@ -515,6 +515,15 @@ def test_another_device_is_read_through_its_dbc_and_a_map(tmp_path, dbc):
     assert quality.clock == "host"
 
 
+def test_a_map_may_call_a_rate_as_tables_do(tmp_path, dbc):
+    told = {
+        "velocity" if name == "angular_velocity" else name: each for name, each in SIGNALS.items()
+    }
+    assert told != SIGNALS
+    segment, _ = read(tmp_path, other_device(50), dbc=dbc, signals=told)
+    assert segment.angular_velocity is not None
+
+
 def test_lost_frames_of_another_device_are_gaps(tmp_path, dbc):
     lost = {100, 250, 251, 252}
     log = other_device(500, lost)

@@ -373,3 +373,22 @@ def test_a_name_without_cells_that_may_be_any_column_is_refused(write):
     rows = ["Frame,Time (s),Knee Angle (deg)", *lines((TIME, ANGLE))]
     with pytest.raises(ValueError, match="have 2 cells, but 3 names"):
         load(write("\n".join(rows)))
+
+
+VICON = ",,P04:RKneeAngles,,", "Frame,Sub Frame,X,Y,Z", ",,deg,deg,deg"
+FRAMES = lines((range(1, 41), [0] * 40, ANGLE, [1.2] * 40, [0.3] * 40))
+
+
+def test_vicons_rate_stands_below_its_title(write):
+    column = {"raw_angle_deg": "P04:RKneeAngles.X"}
+    table = "\n".join(["Model Outputs", "200", *VICON, *FRAMES])
+    time = load(write(table), columns=column).recording.segments[0].time
+    assert np.diff(time) == pytest.approx(1 / 200)
+    with pytest.raises(ValueError, match="has no time"):
+        load(write("\n".join(["Model Outputs", *VICON, *FRAMES])), columns=column)
+
+
+def test_places_of_markers_are_no_can_log(write):
+    markers = "PathFileType\t4\t(X/Y/Z)\tmarkers.trc\nDataRate\tCameraRate\n100\t100\n"
+    with pytest.raises(ValueError, match="holds the places of markers"):
+        load(write(markers, "markers.trc"))

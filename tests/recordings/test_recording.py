@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from exoid.recordings.recording import BadSample, Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.unit_hint import unit_hint
 
 
 def swing(count=5, **channels):
@@ -144,3 +145,17 @@ def test_a_kind_that_there_is_none_of_is_refused_where_no_types_are_checked():
 def test_metadata_that_cannot_be_true_is_refused(metadata, message):
     with pytest.raises(ValueError, match=message):
         Recording((swing(),), **metadata)
+
+
+@pytest.mark.parametrize(
+    ("key", "unit", "value", "told"),
+    [
+        ("--height", "m", 18.4, " It would be 1.84 m if its decimal point slipped."),
+        ("height_m", "m", 0.165, " It would be 1.65 m if its decimal point slipped."),
+        ("--height", "m", 184.0, " It would be 1.84 m if it is in cm."),
+        ("--body-mass", "kg", 620.0, " It would be 62 kg if its decimal point slipped or 63.2 kg "
+         "if it is in newtons."),
+    ],
+)  # fmt: skip
+def test_a_body_that_cannot_be_is_asked_for_a_slip_or_a_unit(key, unit, value, told):
+    assert unit_hint(key, unit, value, (0.4, 400.0)) == told

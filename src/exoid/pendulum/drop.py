@@ -24,6 +24,11 @@ class Drop:
     halt: str | None = None  # in its first swing
 
     @property
+    def measured(self) -> bool:
+        """Could anything be read off it?"""
+        return any(each.value is not None for each in self.measures.values())
+
+    @property
     def curve(self) -> Curve | None:
         """Angle and its derivatives from the release on, worked out when first asked for; None
         where it is refused whole.

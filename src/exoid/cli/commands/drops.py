@@ -61,7 +61,7 @@ def drops(
     files = Outputs()
     recorded = list(zip(paths, named, strict=True))
     files.put_document(json, lambda: drops_document(test, **traced(recorded)))
-    read = any(each.reason is None for each in test.drops)
+    read = any(each.measured for each in test.drops)
     if plot is not None and not read:
         say(f"exoid: no segment could be read: {plot} was not drawn.", err=True)
     else:

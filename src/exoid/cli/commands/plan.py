@@ -52,7 +52,7 @@ def plan(
     goal: Annotated[
         str | None,
         typer.Option(
-            help="What to narrow: inertia, damping, stiffness, gravity_over_inertia, "
+            help="What to narrow: inertia, damping, stiffness (or J, d, c), gravity_over_inertia, "
             "damping_over_inertia, stiffness_over_inertia, or a term's as coulomb_friction.level; "
             f"{INERTIA} by default.",
             metavar="QUANTITY",
@@ -92,6 +92,7 @@ def plan(
       exoid plan drop.csv --model why.nc          after 'exoid diagnose drop.csv --save why.nc'
       exoid plan drop.csv --between coulomb_friction,hysteresis    to tell which of them acts
     """
+    goal = goal and by_name(goal)
     read = [*(recordings or []), *([model] if model else [])]
     check_outputs((json, ()), force=force, inputs=read)
     own = own_terms(terms)
@@ -145,6 +146,13 @@ def asked(
     chosen = terms_asked(given, own, saved_model(model, own).terms if model else ())
     check_goal(goal or INERTIA, chosen)
     return (), chosen
+
+
+def by_name(goal: str) -> str:
+    """The quantity that a symbol stands for, as J for the inertia."""
+    from exoid.fitting.model.user_values import SYMBOLS
+
+    return SYMBOLS.get(goal, goal)
 
 
 def check_goal(goal: str, chosen: tuple) -> None:

@@ -21,6 +21,7 @@ CHANNELS = {
     for entry in fields(Segment)
     if "column" in entry.metadata and entry.name != "time"
 }
+AS_IN_TABLES = {"velocity": "angular_velocity", "raw_velocity": "raw_angular_velocity"}
 NAMED = re.compile(r"^(?:(?P<message>\w+)\.)?(?P<signal>\w+)(?:\s*\[(?P<unit>.*)\])?$")
 FARTHEST = 2.0  # periods; a value farther from its neighbours is not interpolated
 
@@ -67,6 +68,7 @@ def resolve(signals: dict[str, str], messages: list, dbc: Path):
     """What each entry of the map means, and the plans of the messages it needs."""
     if not {"angle", "raw_angle"} & signals.keys():
         raise CanLogError('The signal map names no angle: give "angle" or "raw_angle".')
+    signals = {AS_IN_TABLES.get(channel, channel): name for channel, name in signals.items()}
     if unknown := signals.keys() - CHANNELS.keys():
         raise CanLogError(
             f"The signal map knows no channel {', '.join(sorted(unknown))}; "

@@ -18,6 +18,7 @@ Row = list[Cell]
 
 NO_TABLE = "holds no table of numbers. Export it with names, then one row a sample."
 AXES = ("X", "Y", "Z", "x", "y", "z")
+FRAMES = {"Frame", "Sub Frame"}
 COMMENT = ("#", "%")
 REMARKS = ("comment", "comments", "remark", "remarks", "kommentar", "bemerkung", "commentaire")
 PROBED = 25  # rows to either side of the middle, which say what is a sample
@@ -68,7 +69,23 @@ def sheet_of_rows(rows: list[Row], place: Place) -> Sheet:
         for at, (name, row) in enumerate(zip(names, odd_rows(samples), strict=True), 1)
         if row is not None
     ]
-    return Sheet(tuple(columns), where, notes=(*odd, *remains(rows, layout, place)))
+    return Sheet(
+        tuple(columns),
+        where,
+        rate=rate_above(rows[: layout.first]),
+        notes=(*odd, *remains(rows, layout, place)),
+    )
+
+
+def rate_above(above: list[Row]) -> float | None:
+    """Of frames that are numbered, what stands below the title, as Vicon and Nexus write it [Hz]:
+    a number by itself.
+    """
+    alone = [[cell for cell in row if not is_missing(cell)] for row in above[:2]]
+    match alone:
+        case [[str()], [float(rate)]] if rate > 0 and any({*row} >= FRAMES for row in above):
+            return rate
+    return None
 
 
 def filled_up(rows: list[Row]) -> list[Row]:

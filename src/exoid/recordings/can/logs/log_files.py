@@ -34,6 +34,7 @@ from exoid.recordings.can.logs.text.own_csv import HEADER
 Row = tuple[float, int, int, int, bytes]  # time, id, flags, length, data of one frame
 
 FORMATS = (".blf", ".mf4", ".asc", ".csv", ".log", ".trc")
+MARKERS = "PathFileType"  # begins a .trc of motion capture
 SKIP_FIRST = (".asc", ".csv", ".log")  # what these readers lose when they begin again: a line
 
 
@@ -84,6 +85,12 @@ def read_text(path: Path, kind: str) -> Log:
         raise CanLogError(
             f"{path}: line 1 is {plain(lines.first[:60])}, not the header of python-can's CSV "
             f"({HEADER}). Export the log as BLF, ASC or candump."
+        )
+    if kind == ".trc" and lines.first.startswith(MARKERS):
+        raise CanLogError(
+            f"{path}: this .trc holds the places of markers, and no angle of the knee. Export the "
+            "angle from the model that was fitted to them: a .mot of inverse kinematics, or a C3D "
+            "with model angles."
         )
     base = {"base": base_of(lines.lines)} if kind == ".asc" else {}
     reader: Any = MESSAGE_READERS[kind](lines, **base)  # pyright: ignore[reportArgumentType]
