@@ -15,6 +15,7 @@ from exoid.physics.torque import NoTorque
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
+from swings import NOISE, drop
 
 LEG = {"mass": 4.5, "inertia": 0.44, "com_distance": 0.265, "damping": 0.45, "stiffness": 2.8}
 MOMENT = LEG["mass"] * LEG["com_distance"] * GRAVITY
@@ -71,3 +72,8 @@ def test_of_a_turn_that_is_no_swing_no_decrement_is_told(drops):
     level = replace(landmarks, turns=[flexion, replace(extension, value=later[0].value), *later])
     with pytest.raises(NotAllowed, match="no swing to flexion: cycle 1 or the one after"):
         logarithmic_decrement(level, 1)
+
+
+def test_a_recording_that_ends_as_the_leg_is_let_go_tells_nothing_and_is_no_fault():
+    (found,) = measure_drops(drop(noise=NOISE, lasting=0.05)).drops
+    assert not found.measured

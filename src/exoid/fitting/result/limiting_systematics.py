@@ -1,5 +1,6 @@
 """Which systematic limits a number most, and what would narrow it."""
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -85,8 +86,8 @@ def what_to_do(name: str, result: FitResult) -> str:
     says already how well something is known, not what was done.
     """
     each = [one.known[name] for one in result.mountings if name in one.known]
-    errors = [one.standard_error for one in each]
-    if name == "added_mass_distance" and errors and all(one and one < TAPE for one in errors):
+    errors = [one.standard_error or np.inf for one in each]
+    if name == "added_mass_distance" and errors and max(errors) < TAPE:
         return (
             f"the motion tells it to {1e3 * max(errors):.1g} mm, better than a tape does: drop it "
             "more often, with that mass and without"
@@ -137,18 +138,32 @@ def granted(problem: Problem) -> list[str]:
 
 
 def suspicions(problem: Problem, mountings: list[MountingFit], ended: SearchResult) -> list[str]:
-    """What of a recording is not as it was declared, in sentences."""
-    said, found = [], ended.disturbance
+    """What of a recording is not as it was declared, in sentences; what differs between several in
+    its numbers alone once, with theirs.
+    """
+    said: dict[str, list[tuple[str, str]]] = {}
+    found = ended.disturbance
     sources = [own[0].source for own in problem.recordings]
     for each in mountings:
-        where = f"{each.recording}: " if len(mountings) > 1 else ""
         tilts = tilted(each, found)
         alike = either(problem, ended, sources.index(each.recording)) if tilts else None
         if alike:
             tilts = [f"{tilts[0]} {alike.sentence} {LOOK}"]
         doubts = (*tilts, *disagreeing(problem, each, found))
-        said += [f"{where}{words}" for words in doubts]
-    return said
+        for words in doubts:
+            said.setdefault(re.sub(r"\d[\d.e]*", "", words), []).append((each.recording, words))
+    if len(mountings) < 2:
+        return [words for ((_, words),) in said.values()]
+    return [together(each) for each in said.values()]
+
+
+def together(each: list[tuple[str, str]]) -> str:
+    """What is said of one recording by its name, of several with the numbers of the first."""
+    names, words = [name for name, _ in each], each[0][1]
+    if len(names) == 1:
+        return f"{names[0]}: {words}"
+    first = "" if len({words for _, words in each}) == 1 else f", by {names[0]}"
+    return f"{len(names)} recordings ({', '.join(names)}){first}: {words}"
 
 
 def tilted(each: MountingFit, found: Disturbance) -> list[str]:

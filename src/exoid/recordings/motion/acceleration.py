@@ -76,9 +76,11 @@ def own_law(seen: "Derivatives", start: int, stop: int) -> Law | None:
 
 def within(seen: "Derivatives", free: slice) -> slice:
     """The samples around which a whole window is free."""
-    time = seen.time
-    first = time.searchsorted(time[free.start] + seen.width / 2)
-    last = time.searchsorted(time[free.stop - 1] - seen.width / 2, side="right")
+    time, inside = seen.time, seen.time[free]
+    if not inside.size:  # it ends as the leg is let go
+        return slice(free.start, free.start)
+    first = time.searchsorted(inside[0] + seen.width / 2)
+    last = time.searchsorted(inside[-1] - seen.width / 2, side="right")
     return slice(int(first), max(int(first), int(last)))
 
 
