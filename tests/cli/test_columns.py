@@ -1,9 +1,12 @@
 """The command line reads what others wrote: columns are named by an option or by the sidecar."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from command_line import refusal
 
+from exoid.cli.inputs.reading import once
 from exoid.recordings.loading.load import load
 
 TIME = np.arange(300) * 0.01
@@ -53,3 +56,20 @@ def test_a_map_that_does_not_fit_is_refused(command, camera, column, said):
 def test_a_log_has_no_columns_to_name(command, recordings):
     done = command("drops", recordings / "session.blf", "--column", "time_s=t")
     assert "a CAN log has no columns to name" in refusal(done)
+
+
+def test_what_is_said_of_several_files_is_said_once():
+    first, other = Path("a.csv"), Path("b.csv")
+    noticed = [
+        (first, "exoid: a.csv: read x."),
+        (first, "lost 2 of 9 frames"),
+        (other, "exoid: b.csv: read x."),
+        (other, "exoid: b.csv: its clock began anew."),
+        (other, "lost 2 of 9 frames"),
+    ]
+    assert once(noticed) == [
+        "exoid: a.csv and 1 more: read x.",
+        "lost 2 of 9 frames",
+        "exoid: b.csv: its clock began anew.",
+        "lost 2 of 9 frames",
+    ]

@@ -36,40 +36,70 @@ def take_all(paths: list[Path], body: dict, protocol: dict | None = None, **opti
     """Recordings of one leg by their files' names, with what was said of its body and its protocol;
     and what their readers noticed. `options` are those of `take`.
     """
-    named, taken = [], []
-    for path in paths:
-        loaded = take(path, **options)
-        subject = replace(loaded.recording.subject, **body)
-        protocol_told = replace(loaded.recording.protocol, **(protocol or {}))
-        recording = replace(loaded.recording, subject=subject, protocol=protocol_told)
-        notes = [f"{visible(path.name)}: {says}" for says in doubted(vars(subject))]
-        tell(notes)
-        named.append((visible(path.name), recording))
-        taken.append(replace(loaded, notes=(*loaded.notes, *notes)))
+    named, taken, noticed = [], [], []
+    try:
+        for path in paths:
+            loaded = read(path, **options)
+            subject = replace(loaded.recording.subject, **body)
+            protocol_told = replace(loaded.recording.protocol, **(protocol or {}))
+            recording = replace(loaded.recording, subject=subject, protocol=protocol_told)
+            notes = [f"{visible(path.name)}: {says}" for says in doubted(vars(subject))]
+            noticed += [(path, line) for line in lines_of(loaded)]
+            noticed += [(path, f"exoid: {note}") for note in notes]
+            named.append((visible(path.name), recording))
+            taken.append(replace(loaded, notes=(*loaded.notes, *notes)))
+    finally:  # also of those before one that cannot be read
+        for line in once(noticed):
+            say(line, err=True)
     return named, taken
 
 
-def take(
+def once(noticed: list[tuple[Path, str]]) -> list[str]:
+    """What is said of several files in the same words once, by the first and how many more."""
+    said: dict[str, list[Path]] = {}
+    found: list[str] = []
+    for path, line in noticed:
+        words = line.removeprefix(f"exoid: {path}: ")
+        if words == line or words not in said:
+            found.append(line)
+        said.setdefault(words, []).append(path)
+    heads = {f"exoid: {each[0]}: {words}": each for words, each in said.items()}
+
+    def counted(line: str) -> str:
+        first, *rest = heads.get(line, [Path()])
+        head = f"exoid: {first}"
+        return f"{head} and {len(rest)} more{line.removeprefix(head)}" if rest else line
+
+    return [counted(line) for line in found]
+
+
+def take(path: Path, **options):
+    """A recording, with what its reader noticed, which is said on stderr; options as of `read`."""
+    loaded = read(path, **options)
+    for line in lines_of(loaded):
+        say(line, err=True)
+    return loaded
+
+
+def lines_of(loaded) -> list[str]:
+    """What its reader noticed, as it is said."""
+    quality = loaded.quality.lines() if loaded.quality is not None else []
+    return [*(f"exoid: {note}" for note in loaded.notes), *quality]
+
+
+def read(
     path: Path,
     *,
     signal: list[str] | None = None,
     column: list[str] | None = None,
     **options,
 ):
-    """A recording, with what its reader noticed, which is said on stderr.
-
-    `options` are those of `load`.
-    """
+    """A recording, with what its reader noticed; `options` are those of `load`."""
     from exoid.recordings.loading.load import load
 
     options["signals"] = pairs("--signal", signal, "CHANNEL=MESSAGE.SIGNAL")
     options["columns"] = pairs("--column", column, 'COLUMN="NAME IN THE FILE"')
-    loaded = patiently(lambda: load(path, **options), f"reading {path.name}")
-    noticed = loaded.quality.lines() if loaded.quality is not None else []
-    tell(loaded.notes)
-    for line in noticed:
-        say(line, err=True)
-    return loaded
+    return patiently(lambda: load(path, **options), f"reading {path.name}")
 
 
 def tell(notes: Iterable[str]) -> None:
