@@ -1,8 +1,11 @@
 """Missing torques are J (phi'' - Eq. 9): a leg with another J lacks others in the same motion."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from exoid.mismatch.evidence.locate import between
 from exoid.mismatch.evidence.location import Location, Missing, Region
 
 OWN, ADDED = 0.33, 0.2  # kg m^2, of the leg and of a known mass on it
@@ -25,3 +28,12 @@ def test_of_a_leg_with_another_inertia_the_accelerations_that_lack_stay():
     (told,) = other.regions
     assert told.torque == pytest.approx(0.44 * 0.60 / 0.53)
     assert told.description == "0.5 N m towards extension are missing at -10 to 5 deg, extending"
+
+
+@pytest.mark.parametrize(("level", "says"), [(0.3, True), (0.03, False)])
+def test_a_torque_of_each_segments_own_is_told_from_what_comes_back_in_all(level, says):
+    """Beside an oscillation of 0.1 N m, of which a mean over a segment shows nothing."""
+    swing = 0.1 * np.array([0.0, 1.0, 0.0, -1.0, 0.0])
+    each = [replace(missing("", OWN), torque=swing + own) for own in (0.0, level, -level)]
+    location = Location(each, [], 0.05, 0.05, by_segment=between(each))
+    assert ("within each segment" in location.pattern) is says

@@ -47,7 +47,7 @@ def locate(prepared: PreparedRecording, base: Hypothesis, best: Optimum) -> Loca
     angle, speed, torque = map(np.concatenate, zip(*rows, strict=True))
     inertia = float(np.exp(prepared.coordinates(base).shared.log_inertia))
     shares = explained(angle, torque), explained(speed, torque)
-    return Location(missing, regions[:MOST], *shares, inertia)
+    return Location(missing, regions[:MOST], *shares, inertia, between(missing))
 
 
 def lacking(
@@ -117,6 +117,13 @@ def explained(cause: Samples, torque: Samples) -> float:
     whole = float(np.var(torque)) or 1.0
     means = np.array([torque[bins == k].mean() if (bins == k).any() else 0.0 for k in range(FEW)])
     return float(np.var(means[bins]) / whole)
+
+
+def between(missing: list[Missing]) -> float:
+    """The share of the torque's variance that a constant of each segment explains."""
+    means = np.concatenate([np.full(each.torque.size, each.torque.mean()) for each in missing])
+    whole = float(np.var(np.concatenate([each.torque for each in missing]))) or 1.0
+    return float(np.var(means) / whole)
 
 
 def regions_of(each: Missing) -> list[Region]:

@@ -8,6 +8,8 @@ from jaxtyping import Float
 
 Samples = Float[np.ndarray, " sample"]
 
+ALONE = 0.3  # of the variance of what is missing, from which on something alone explains it
+
 
 @dataclass(frozen=True, eq=False)
 class Missing:
@@ -56,6 +58,7 @@ class Location:
     by_angle: Annotated[float, "1"]  # share of its variance that the angle alone explains
     by_speed: Annotated[float, "1"]  # that speed and direction alone explain
     inertia: Annotated[float | None, "kg m^2"] = None  # of the leg, with which the torques grow
+    by_segment: Annotated[float, "1"] = 0.0  # that a torque of its own in each segment explains
 
     def with_inertia(self, inertia: float) -> "Location":
         """The same of a leg with another inertia: J (phi'' - Eq. 9) grows with it, but for what a
@@ -73,7 +76,13 @@ class Location:
     def pattern(self) -> str:
         """In one sentence."""
         angle, speed = f"{self.by_angle:.0%}", f"{self.by_speed:.0%}"
-        if max(self.by_angle, self.by_speed) < 0.3:
+        if self.by_segment > max(ALONE, self.by_angle + 0.1, self.by_speed + 0.1):
+            return (
+                "it stays the same within each segment, and differs between them "
+                f"({self.by_segment:.0%} of its variance; angle {angle}, speed {speed}): a muscle "
+                "that was not relaxed alike, a seat or a zero that moved"
+            )
+        if max(self.by_angle, self.by_speed) < ALONE:
             return f"neither angle ({angle} of its variance) nor speed ({speed}) alone explains it"
         if self.by_speed > self.by_angle + 0.1:
             return f"it goes with speed and direction ({speed} of its variance, angle {angle})"
