@@ -66,14 +66,14 @@ def test_no_plan_is_asked_to_tell_what_pushes_alike_from_each_other():
 
 def test_nothing_is_to_be_recorded_to_tell_what_pushes_alike_from_each_other():
     each = [explaining(1000.0, term) for term in (StiffnessRestAngle, TorqueBias, CubicStiffness)]
-    (said,) = advice(each[:2], "mismatch", None)
+    (said,) = advice(each[:2], "mismatch", None, segments=1)
     assert "no recording of the motion tells them apart" in said
-    twins, other = advice(each, "cannot_tell", None)
+    twins, other = advice(each, "cannot_tell", None, segments=1)
     assert (twins, other) == (
         said,
         f"To tell {CubicStiffness.title} apart: {CubicStiffness.isolate}.",
     )
-    (alone,) = advice([each[1]], "cannot_tell", None)
+    (alone,) = advice([each[1]], "cannot_tell", None, segments=1)
     assert TorqueBias.isolate in alone
 
 
