@@ -27,6 +27,9 @@ def agree(one, other):
     assert one.noise_scale == pytest.approx(other.noise_scale, rel=1e-5)
     for name, expected in (one.parameters | one.ratios).items():
         found = (other.parameters | other.ratios)[name]
+        if expected.value is None:
+            assert found.value is None, name
+            continue
         error = max(SMALL_PART * (expected.standard_error or 0), HELD * abs(expected.value))
         assert found.value == pytest.approx(expected.value, abs=error), name
         if name in one.parameters:
@@ -50,11 +53,11 @@ def test_both_methods_agree_from_several_starts():
 
 @pytest.mark.proof
 def test_both_methods_agree_where_the_leg_is_none_of_the_tables():
-    """m l^2 > J there: the tables, in which m, l and J go together, make it one that can be."""
+    """m l^2 > J there: no body has such a leg, and both leave its tables, and tell its ratios."""
     one, other = both(recorded(CYCLE, inertia=0.30, com_distance=0.28))
     agree(one, other)
-    chosen = {name: each.value for name, each in one.parameters.items()}
-    assert chosen["mass"] * chosen["com_distance"] ** 2 < chosen["inertia"]
+    assert one.parameters["inertia"].value is None
+    assert one.ratios["gravity_over_inertia"].value is not None
 
 
 def test_the_inertia_is_as_small_as_a_rigid_leg_allows_where_a_sure_distance_asks_for_less():

@@ -115,7 +115,8 @@ def fit(
     # What a term remembers is only known of a leg that has not moved yet; a sensor soon forgets it.
     remembering = (each for each in classes if not issubclass(each, SensorTerm))
     at_once = at_once or any(each.memory_size > 0 for each in remembering)
-    handled = method == "lm" and clip == "free" and not plain
+    whole = clip == "free" and not plain
+    handled = whole and method == "lm"
 
     def search_of(
         belief: Belief, movements: list[Movement], reading: str, count: int = multistart
@@ -169,7 +170,7 @@ def fit(
         return described(found), of_slow(swinging)
 
     result, slow = fitted(belief)
-    if handled and strange(result):
+    if whole and strange(result):
         with suppress(ArithmeticError, ValueError):  # where it finds no leg, the first one stands
             untabled, beside = fitted(without_tables(belief))
             if untabled.follows and contradicted(untabled):
