@@ -266,7 +266,11 @@ def test_a_diagnosis_does_not_ask_for_a_diagnosis():
 def test_what_lacks_nothing_but_its_begins_blames_no_sensor_and_names_no_place():
     said = sentences(replace(doubtful(), best=doubtful().baseline, but_ends=True, sensors=[]))
     assert "Where" not in said
-    assert headline(replace(doubtful(), but_ends=True)).startswith("Nothing is missing but where")
+    ends = replace(doubtful(), but_ends=True)
+    assert headline(ends).startswith("Nothing is missing but where")
+    cut = [replace(each, left_out=0.5) for each in ends.before.segments]
+    kept_back = replace(ends, before=replace(ends.before, segments=cut))
+    assert headline(kept_back).startswith("Nothing is missing but in the first swing")
     assert headline(doubtful()) == "Cannot tell from this recording."
 
 

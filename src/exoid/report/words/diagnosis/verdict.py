@@ -12,6 +12,8 @@ def headline(found: Diagnosis) -> str:
     """The verdict in one line."""
     if found.verdict == "none":
         return "Nothing is missing: simulation and recording agree within the noise."
+    if found.but_ends and any(each.left_out for each in found.fit.segments):
+        return "Nothing is missing but in the first swing: something keeps the leg back there."
     if found.but_ends:
         return "Nothing is missing but where movements begin or end."
     if found.verdict == "cannot_tell":
