@@ -56,21 +56,18 @@ def take_all(paths: list[Path], body: dict, protocol: dict | None = None, **opti
 
 def once(noticed: list[tuple[Path, str]]) -> list[str]:
     """What is said of several files in the same words once, by the first and how many more."""
-    said: dict[str, list[Path]] = {}
-    found: list[str] = []
-    for path, line in noticed:
+    said: dict[str | int, list[tuple[Path, str]]] = {}
+    for number, (path, line) in enumerate(noticed):
         words = line.removeprefix(f"exoid: {path}: ")
-        if words == line or words not in said:
-            found.append(line)
-        said.setdefault(words, []).append(path)
-    heads = {f"exoid: {each[0]}: {words}": each for words, each in said.items()}
+        said.setdefault(number if words == line else words, []).append((path, line))
+    return [counted(*each) for each in said.values()]
 
-    def counted(line: str) -> str:
-        first, *rest = heads.get(line, [Path()])
-        head = f"exoid: {first}"
-        return f"{head} and {len(rest)} more{line.removeprefix(head)}" if rest else line
 
-    return [counted(line) for line in found]
+def counted(first: tuple[Path, str], *others: tuple[Path, str]) -> str:
+    """A line of the first of several files, and of how many more it is."""
+    path, line = first
+    head = f"exoid: {path}"
+    return f"{head} and {len(others)} more{line.removeprefix(head)}" if others else line
 
 
 def take(path: Path, **options):
