@@ -2,6 +2,7 @@
 
 from functools import partial
 
+import equinox as eqx
 import jax
 import jax.numpy as jnp
 import lineax as lx
@@ -9,15 +10,17 @@ import numpy as np
 import optimistix as optx
 import pytest
 
-from exoid.fitting.solve.least_squares import NegligibleStep
+from exoid.fitting.solve.least_squares import HasteningTrustRegion, NegligibleStep
 
 TIME = jnp.linspace(0, 2, 20)
 MEASURED = 3 * jnp.exp(-1.5 * TIME)
 
 
-@partial(jax.jit, static_argnums=0)
-def compiled(residual, start, tolerance):
+@partial(jax.jit, static_argnums=(0, 3))
+def compiled(residual, start, tolerance, hastening=True):
     inner = optx.LevenbergMarquardt(1e-14, 1e-14, linear_solver=lx.Normal(lx.Cholesky()))
+    if hastening:
+        inner = eqx.tree_at(lambda solver: solver.search, inner, HasteningTrustRegion())
     end = optx.least_squares(
         lambda y, _: residual(y),
         NegligibleStep(inner, tolerance),
@@ -28,9 +31,10 @@ def compiled(residual, start, tolerance):
     return end.value, end.result == optx.RESULTS.successful, end.stats["num_steps"]
 
 
-def solved(residual, start, tolerance):
+def solved(residual, start, tolerance, *, hastening=True):
     """The end point, whether it was reached, and the number of steps that were tried."""
-    value, done, steps = compiled(residual, jnp.asarray(start, float), jnp.asarray(tolerance))
+    start, tolerance = jnp.asarray(start, float), jnp.asarray(tolerance)
+    value, done, steps = compiled(residual, start, tolerance, hastening)
     return value, bool(done), int(steps)
 
 
@@ -88,3 +92,22 @@ def test_steps_that_were_shortened_by_rejections_do_not_end_the_search():
     value, done, _ = solved(far, (-2.0,), 1e-6)
     assert done
     assert float(value[0]) == pytest.approx(2.0, abs=1e-6)
+
+
+def creased(y):
+    """Least at 0, though the derivative there leads on: dry friction holds a leg a step sooner."""
+    return 1e3 * jnp.where(y < 0, 1 - y, 1 + y)
+
+
+def test_where_every_step_fails_a_search_ends_with_half_as_many_that_hasten():
+    ends = [solved(creased, (0.0,), 1e-2, hastening=each) for each in (True, False)]
+    for value, done, _ in ends:
+        assert done
+        assert value[0] == 0
+    assert ends[0][2] <= ends[1][2] / 2
+
+
+def test_where_no_step_fails_nothing_hastens():
+    for tolerance in (1e-1, 1e-6):
+        quick, usual = (solved(decay, (1.0, 0.2), tolerance, hastening=h) for h in (True, False))
+        assert np.array_equal(quick[0], usual[0])

@@ -141,6 +141,16 @@ def test_what_falls_too_slowly_to_come_near_a_rival_is_given_up():
     assert promising(falling, rival=1.0)
 
 
+def test_what_could_not_reach_a_rival_in_many_more_steps_rests_and_ends_no_lower_than_it(ready):
+    prepared, base = ready
+    start = base.candidate.at(1.05 * base.candidate.unknowns)
+    whole = settle_free(prepared, start)
+    for rival, sooner in ((np.inf, False), (whole.square, False), (0.1 * whole.square, True)):
+        found = settle_free(prepared, start, rival=rival)
+        assert whole.square <= found.square <= whole.square + max(0.0, whole.square - rival)
+        assert (found.square > whole.square + 1e-3) is sooner
+
+
 def test_a_step_into_a_bound_stays_on_it(ready):
     prepared, base = ready
     point = base.candidate.point

@@ -9,21 +9,20 @@ from collections.abc import Callable
 
 import jax
 import jax.numpy as jnp
-import lineax as lx
 import optimistix as optx
 from jaxtyping import Array, Bool, Float, Int, PyTree
 
-from exoid.fitting.solve.least_squares import NegligibleStep
+from exoid.fitting.solve.least_squares import NegligibleStep, levenberg_marquardt
 from exoid.physics.record import record
 
 Vector = Float[Array, " _"]
 
 SLOW = 0.25  # of the error before: a round that gains less
-STIFFER = 10.0  # makes that constraint's penalty so much greater
+STIFFER = 10.0  # makes that constraint's penalty so much greater ...
+STUCK = 1e3  # ... or so much, where it did not move the point at all, as at a crease
 STEPS = 60  # of the inner solver; a start that needs more has lost its way
 FEASIBLE = 1e-5  # greatest g that counts as met; g is relative
 ROUNDING = 1e-14  # of the greatest derivative of a residual
-EXACT = 1e-10  # a change of loss and point that is rounding; `tolerance` decides before
 
 
 @record
@@ -60,7 +59,7 @@ def minimise(
         value, detail = residual(point)
         return jnp.concatenate([value, jnp.sqrt(rho) * excess]), detail
 
-    inner = optx.LevenbergMarquardt(EXACT, EXACT, linear_solver=lx.Normal(lx.Cholesky()))
+    inner = levenberg_marquardt()
 
     def update(carry):
         outcome, rho, error, number, _ = carry
@@ -88,8 +87,10 @@ def minimise(
             exhausted=solution.result == optx.RESULTS.nonlinear_max_steps_reached,
         )
         slow = apart & (remaining > SLOW * error)
-        unsettled = apart.any() | (value.max() > FEASIBLE)
-        return following, jnp.where(slow, STIFFER * rho, rho), remaining, number + 1, unsettled
+        still = jnp.all(solution.value == outcome.point)
+        stiffer = jnp.where(slow, jnp.where(still, STUCK, STIFFER), 1.0) * rho
+        unsettled = (apart.any() & ~still) | (value.max() > FEASIBLE)
+        return following, stiffer, remaining, number + 1, unsettled
 
     nothing = jnp.zeros_like(penalty)
     detail = jax.tree.map(

@@ -13,6 +13,7 @@ from exoid.physics.motion.step import Drive
 from exoid.physics.term import Term
 
 DAMPING = 1e-3  # of the first step, relative to the curvature
+HARDER = 8.0  # times as much of the next one, where one failed
 
 
 class Effect(eqx.Module):
@@ -101,6 +102,7 @@ class Optimum:
     products: Products
     motion: Any  # pinned: the MeasuredMotion along which; free: what the sensors would show
     damping: float = DAMPING
+    harder: float = HARDER  # by how much the next step is damped more, should this one fail
     resting: bool = False
 
     @property

@@ -8,7 +8,7 @@ import numpy as np
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.screen import along_motion, many_pinned
-from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
+from exoid.mismatch.screen.hypothesis import HARDER, Hypothesis, Linear, Optimum
 from exoid.mismatch.screen.many_free import release
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.term import Term, busy, holds
@@ -19,8 +19,10 @@ HEAT = 3  # rounds of all starts; from then on the best start of the same terms
 LONG = 25  # rounds, from which on only what still falls goes on, as along a narrow valley
 FALLING, LAST = 0.9, 10  # to what share of itself a sum of squares must fall in how many rounds
 EARLY, FAR, FAST = 12, 3.0, 0.6  # rounds, times a rival's square, share in half as many rounds
-EASIER, HARDER = 0.1, 8.0
+EASIER = 0.1  # of its damping the next step has, where one did not fail
+HASTE = 4.0  # times the same with every one that fails in a row
 CAREFUL = 1e-2  # damping beyond which a small step says little
+AHEAD = 50  # steps like the next one, in which it must reach a rival, or rests
 STEADY = 1e-2  # expected gain of a sum of squares below which a candidate rests
 NEARLY = 0.5  # the same while it is pinned, for it goes on running free
 FLAT = 1e-6  # relative curvature below which no place nearby is looked for
@@ -162,7 +164,8 @@ def descend(prepared, begin, evaluate, rounds, steady, rival=np.inf) -> list[Opt
         tried = [(to, at[n].motion) for (to, _), n in zip(steps, moving, strict=True)]
         found = evaluate(prepared, tried)
         for number, (to, gain), (products, motion) in zip(moving, steps, found, strict=True):
-            at[number] = judged(at[number], Optimum(to, products, motion), gain < steady, steady)
+            least = max(steady, (at[number].square - rival) / AHEAD)
+            at[number] = judged(at[number], Optimum(to, products, motion), gain < least, steady)
             squares[number].append(at[number].square)
     return at
 
@@ -191,9 +194,11 @@ def promising(squares: list[float], rival: float) -> bool:
 def judged(before: Optimum, after: Optimum, resting: bool, steady: float) -> Optimum:
     """Where a candidate stands after a step: there, or where it was and more careful."""
     if not after.square < before.square + steady:
-        return replace(before, damping=before.damping * HARDER, resting=resting)
+        damping, harder = before.damping * before.harder, before.harder * HASTE
+        return replace(before, damping=damping, harder=harder, resting=resting)
     careful = before.damping > CAREFUL
-    return replace(after, damping=before.damping * EASIER, resting=resting and not careful)
+    damping = before.damping * EASIER
+    return replace(after, damping=damping, harder=HARDER, resting=resting and not careful)
 
 
 def step(prepared: PreparedRecording, at: Optimum) -> tuple[Hypothesis, float]:

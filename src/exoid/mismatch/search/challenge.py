@@ -56,14 +56,14 @@ def with_hidden(found: Found, some: list[Optimum], told: Callable[[str], None]) 
     if not left:
         return found
     told("simulating what acts for moments only")
-    rival = min((found.base, *found.singles), key=left_of).square
+    rival = min((found.base, *found.singles), key=left_of)
     known = given(found.prepared, found.begin)
     more = side_by_side(lambda one: found_anyhow(found, one, known, rival), left)
     singles = by_evidence([*found.singles, *more], found.base, found.yardstick)
     return replace(found, singles=singles)
 
 
-def found_anyhow(found: Found, one: Optimum, known: Linear | None, rival: float) -> Optimum:
+def found_anyhow(found: Found, one: Optimum, known: Linear | None, rival: Optimum) -> Optimum:
     """Running free from where it came pinned, and from all its starts where that led nowhere or
     may have: what acts for a few samples only, such as a stop, is not seen along a motion with
     noise, nor is a leg that sticks, or one within the play of the frame that carries the sensors.
