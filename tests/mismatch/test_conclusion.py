@@ -1,6 +1,7 @@
 """From what a search found to a verdict."""
 
 from dataclasses import replace
+from itertools import permutations
 from unittest.mock import Mock
 
 import numpy as np
@@ -203,6 +204,12 @@ def test_a_finer_form_is_named_only_where_it_explains_more_than_what_remains():
     assert plainest(found_of([rough, far]), rough) is rough
     yields = explaining(20_000.0, Hysteresis)  # which is no form of what sticks
     assert plainest(found_of([yields, rubbing]), yields) is yields
+
+
+@pytest.mark.parametrize("simpler", list(permutations((QuadraticDrag, CoulombFriction))))
+def test_the_order_in_which_causes_were_found_does_not_hide_a_simpler_form(simpler):
+    rough, plain = explaining(20_000.0, QuadraticDrag, StribeckFriction), explaining(25e3, *simpler)
+    assert plainest(found_of([], [rough, plain]), rough) is plain
 
 
 def test_of_exact_twins_that_is_named_which_every_gyro_has_some_of():

@@ -1,6 +1,7 @@
 """What is certain: the causes that every explanation has which this recording cannot tell apart."""
 
 from collections.abc import Sequence
+from itertools import permutations
 
 import numpy as np
 
@@ -183,11 +184,15 @@ def in_plainest_form(found: Found, best: Optimum) -> Optimum:
 def is_simpler(one: Optimum, other: Optimum) -> bool:
     """Has it the same causes, some in a simpler form? What sticks has none that does not."""
     mine, others = one.candidate.terms, other.candidate.terms
-    alike = all(
-        term is its or (simpler_form(term, its) and holds(term) is holds(its))
-        for term, its in zip(mine, others, strict=False)
+    return set(mine) != set(others) and any(
+        len(order) == len(others) and all(map(is_form_of, order, others))
+        for order in permutations(mine)
     )
-    return len(mine) == len(others) and mine != others and alike
+
+
+def is_form_of(term: type[Term], its: type[Term]) -> bool:
+    """Is it the same, or a simpler form of it?"""
+    return term is its or (simpler_form(term, its) and holds(term) is holds(its))
 
 
 def weight(found: Found, causes: tuple[type[Term], ...]) -> float:
