@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from command_line import refusal
 
-from exoid.cli.inputs.reading import once
 from exoid.recordings.loading.load import load
+from exoid.recordings.loading.once import once
 
 TIME = np.arange(300) * 0.01
 ANGLE = -90 + 70 * np.exp(-TIME) * np.cos(5 * TIME)  # deg, of a leg let go
@@ -67,7 +67,7 @@ def test_what_is_said_of_several_files_is_said_once():
         (other, "exoid: b.csv: its clock began anew."),
         (other, "lost 2 of 9 frames"),
     ]
-    assert once(noticed) == [
+    assert once(noticed, before="exoid: ") == [
         "exoid: a.csv and 1 more: read x.",
         "lost 2 of 9 frames",
         "exoid: b.csv: its clock began anew.",

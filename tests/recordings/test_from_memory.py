@@ -44,6 +44,25 @@ def test_what_a_mapping_calls_its_columns_is_understood_and_said():
         check(exoid.recording({"Time (s)": TIME, "Knee Flexion": ANGLE}))
 
 
+def test_what_is_noticed_of_several_files_is_one_warning(tmp_path):
+    time = np.arange(300) * 0.01
+    for number in range(3):
+        angle = -80 + 50 * np.exp(-0.4 * time) * np.cos(5 * time + number / 10)
+        rows = [f"{at:.2f},{one:.3f}" for at, one in zip(time, angle, strict=True)]
+        text = "\n".join(["time_s,Knee Angle (deg)", *rows])
+        (tmp_path / f"{number}.csv").write_text(text)
+    paths = [tmp_path / f"{number}.csv" for number in range(3)]
+    with pytest.warns(UserWarning, match="and 2 more") as said:
+        named_recordings(paths)
+    assert [str(each.message).partition(": ")[0] for each in said] == [
+        f"{paths[0]} and 2 more",
+        f"{tmp_path / '0.toml'} and 2 more",
+    ]
+    paths[2].unlink()
+    with pytest.raises(OSError, match=r"2\.csv"), pytest.warns(UserWarning, match="and 1 more"):
+        named_recordings(paths)
+
+
 def test_a_warning_names_the_line_that_called_exoid(tmp_path):
     script = tmp_path / "mine.py"
     swing = "{'t': [0, 0.05, 0.1, 0.15], 'knee': [-20, -21, -23, -26]}"

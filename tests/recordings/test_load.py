@@ -56,8 +56,10 @@ def test_a_log_is_told_from_a_table_and_brings_its_quality(tmp_path, suffix):
 
 
 def test_a_log_without_a_sidecar_says_that_it_is_of_nobody(tmp_path):
-    loaded = load(write_log(tmp_path / "log.blf", Node().messages(900)))
-    assert loaded.notes == ("no log.toml beside the log: subject and protocol are unknown",)
+    path = write_log(tmp_path / "log.blf", Node().messages(900))
+    loaded = load(path)
+    said = f"{tmp_path / 'log.toml'}: there is none: subject and protocol are unknown"
+    assert loaded.notes == (said,)
     assert loaded.recording.subject == Subject()
 
 

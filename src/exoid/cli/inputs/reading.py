@@ -12,6 +12,7 @@ from exoid.cli.inputs.choices import Flip, Zero
 from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
 from exoid.files.visible import visible
+from exoid.recordings.loading.once import once
 
 Dbc = Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")]
 Signals = Annotated[
@@ -49,25 +50,9 @@ def take_all(paths: list[Path], body: dict, protocol: dict | None = None, **opti
             named.append((visible(path.name), recording))
             taken.append(replace(loaded, notes=(*loaded.notes, *notes)))
     finally:  # also of those before one that cannot be read
-        for line in once(noticed):
+        for line in once(noticed, before="exoid: "):
             say(line, err=True)
     return named, taken
-
-
-def once(noticed: list[tuple[Path, str]]) -> list[str]:
-    """What is said of several files in the same words once, by the first and how many more."""
-    said: dict[str | int, list[tuple[Path, str]]] = {}
-    for number, (path, line) in enumerate(noticed):
-        words = line.removeprefix(f"exoid: {path}: ")
-        said.setdefault(number if words == line else words, []).append((path, line))
-    return [counted(*each) for each in said.values()]
-
-
-def counted(first: tuple[Path, str], *others: tuple[Path, str]) -> str:
-    """A line of the first of several files, and of how many more it is."""
-    path, line = first
-    head = f"exoid: {path}"
-    return f"{head} and {len(others)} more{line.removeprefix(head)}" if others else line
 
 
 def take(path: Path, **options):

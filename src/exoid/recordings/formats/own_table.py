@@ -54,7 +54,7 @@ def read_table(
     chosen = {**columns_told(sidecar, defaults), **(columns or {})}
     tables, extra, key_notes = keys_told(
         sidecar,
-        f"{sidecar} does not exist: of subject, protocol and sensors only what options say is "
+        f"{sidecar}: there is none: of subject, protocol and sensors only what options say is "
         "known.",
         defaults,
     )

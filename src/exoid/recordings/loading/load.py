@@ -72,7 +72,7 @@ def load(
 
     sidecar = path.with_suffix(".toml")
     tables, extra, notes = keys_told(
-        sidecar, f"no {sidecar.name} beside the log: subject and protocol are unknown", above
+        sidecar, f"{sidecar}: there is none: subject and protocol are unknown", above
     )
     recording, quality = read_can_log(path, dbc=dbc, signals=signals, strict=strict, **tables)
     recording = replace(recording, extra_tables=extra)

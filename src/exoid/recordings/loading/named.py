@@ -7,6 +7,7 @@ from typing import Any
 
 from exoid.files.visible import visible
 from exoid.recordings.loading.load import Loaded, load
+from exoid.recordings.loading.once import once
 from exoid.recordings.loading.warn_user import tell
 from exoid.recordings.recording import Recording
 
@@ -20,28 +21,33 @@ def named_recordings(
 ) -> list[tuple[str, Recording]]:
     """(name, recording) pairs of what was given; one without a name is called `alone`.
 
-    A file is loaded, and what its reader noticed becomes a warning.
+    A file is loaded, and what its reader noticed becomes a warning, one for all files that it is
+    of.
 
     **Raises** `ValueError` for what is no recording, or where there is none.
     """
     if isinstance(given, ONE):
-        return [pair(given, alone)]
+        given = [given]
     if not isinstance(given, Sequence) or not given:
         said = "an empty list" if isinstance(given, Sequence) else f"a {type(given).__name__}"
         raise ValueError(
             f"this is {said}, not a recording: give a Recording, a path, or what exoid.load gave; "
             "of data in memory exoid.recording(...) makes one."
         )
-    several = len(given) > 1
-    return [
-        pair(each, f"{alone} {number}" if several else alone) for number, each in enumerate(given)
-    ]
+    several, noticed = len(given) > 1, []
+    try:
+        return [
+            pair(each, f"{alone} {number}" if several else alone, noticed)
+            for number, each in enumerate(given)
+        ]
+    finally:  # also of those before one that cannot be read
+        tell(once(noticed))
 
 
-def pair(each: Any, name: str) -> tuple[str, Recording]:
-    """One of them, under its own name where it has one."""
+def pair(each: Any, name: str, noticed: list[tuple[Path, str]]) -> tuple[str, Recording]:
+    """One of them, under its own name where it has one; what is `noticed` of its file is added."""
     if isinstance(each, tuple):
-        return str(each[0]), pair(each[1], name)[1]
+        return str(each[0]), pair(each[1], name, noticed)[1]
     if isinstance(each, Recording):
         return name, each
     if isinstance(each, Loaded):
@@ -52,5 +58,5 @@ def pair(each: Any, name: str) -> tuple[str, Recording]:
             "exoid.recording(...) makes one."
         )
     loaded = load(each if isinstance(each, str) else Path(each))
-    tell(loaded.notes)
+    noticed += [(Path(each), note) for note in loaded.notes]
     return visible(Path(each).name), loaded.recording
