@@ -6,6 +6,7 @@ import pytest
 
 from exoid.cli.live.page.state import now
 from exoid.cli.live.panel import bar
+from exoid.cli.live.result import lines
 from exoid.cli.live.saying import words
 from exoid.cli.live.session import Session
 from exoid.cli.live.watched import Watched
@@ -33,6 +34,21 @@ def board_of(trust, *goals) -> Board:
     board.advice = Advice(Movement(-0.5), NAMES[0], 0.05, 0.03, "1/s^2")
     board.refined = Refined(1, {}, {NAMES[0]: 0.5}, agrees=True)
     return board
+
+
+def test_what_a_slack_spring_leaves_open_is_said_of_what_is_believed_alone():
+    board = board_of(Trust.GOOD)
+    assert words.if_slack(board) == ""
+    assert board.refined is not None
+    board.refined = replace(board.refined, if_slack={NAMES[0]: 1.234, "inertia": 0.1})
+    said = "± 1.2 1/s^2 more of gravity over inertia"
+    assert words.open_if_slack(board) == said
+    whole = f"{said}, where the knee's spring is slack elsewhere than at full extension"
+    assert lines(board)[-2] == whole  # before what to do next
+    assert now(board)["fit"].endswith(f"; {whole}")
+    failing = board_of(Trust.UNEXPLAINED)
+    failing.refined = board.refined
+    assert words.if_slack(failing) == ""
 
 
 @pytest.mark.parametrize("trust", [Trust.GOOD, Trust.ENOUGH])

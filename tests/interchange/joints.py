@@ -12,7 +12,7 @@ from exoid.interchange.model.called import called
 from exoid.interchange.model.formulas import part_of
 from exoid.interchange.model.joint import Joint, Number, Part, Sensing
 from exoid.interchange.model.numbers import DRIVE
-from exoid.physics.leg import LegModel
+from exoid.physics.leg import GRAVITY, LegModel
 from exoid.physics.library import library
 from exoid.physics.moment import SegmentConstants
 from exoid.physics.motion.simulate import Trajectory, cycle_of, simulate
@@ -86,12 +86,14 @@ def case(*terms: Term, driven: bool = False) -> Case:
     start = LegState(jnp.asarray(START), jnp.asarray(0.0))
     first = jnp.asarray(TIMES[0])
     memories = at_rest(place, terms, start, first, drive(first) / body.inertia).memory
+    moment = float(body.mass * body.com_distance) * GRAVITY
     names = ("mass", "inertia", "com_distance", "damping", "stiffness")
     numbers = (Number(name, name, name[0], "SI", float(getattr(body, name))) for name in names)
     pushes = (Number(f"drive_{name}", name, name, "", float(getattr(PUSH, name))) for name in DRIVE)
     joint = Joint(
         title=("A leg of the tests.",),
         numbers=tuple(numbers),
+        gravity=Number("gravity", "gravity moment", "m l g", "N m", moment),
         ratios=(),
         thigh_angle=THIGH,
         parts=tuple(

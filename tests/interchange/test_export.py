@@ -210,6 +210,39 @@ def test_the_torque_of_gravity_has_an_error_of_its_own(fitted):
     assert "all that is in N m, go with J and share its error" in text
 
 
+@pytest.mark.parametrize("form", ["mjcf", "urdf", "osim", "c", "python"])
+def test_what_a_slack_spring_leaves_open_stands_beside_the_error_of_its_number(fitted, form):
+    named = {"inertia": 0.0971, "stiffness": 1.23}
+    parameters = fitted.parameters | {
+        name: replace(fitted.parameters[name], if_slack=more) for name, more in named.items()
+    }
+    moment = replace(fitted.gravity_moment, if_slack=0.456)
+    leaning = replace(fitted, parameters=parameters, gravity_moment=moment)
+    text, plain = exoid.export(leaning, form).text, exoid.export(fitted, form).text
+    for more, unit in (("0.097", "kg m^2"), ("1.2", "N m/rad"), ("0.46", "N m")):
+        assert f" (± {more} if slack) {unit}, " in text
+    assert "'if slack' is an error more, for a knee's spring that is slack elsewhere" in text
+    assert "if slack" not in plain
+
+
+def test_what_a_slack_spring_leaves_open_is_of_the_same_share_with_a_mass_on_the_leg(fitted):
+    leaning = replace(
+        fitted,
+        parameters=fitted.parameters
+        | {"inertia": replace(fitted.parameters["inertia"], if_slack=0.1)},
+        gravity_moment=replace(fitted.gravity_moment, if_slack=1.0),
+    )
+    for number in SEGMENTS:
+        bare, loaded = gather(leaning, None), gather(leaning, number)
+        for name in ("inertia", "gravity"):
+            first, second = (
+                next(one for one in (*each.numbers, each.gravity) if one.name == name)
+                for each in (bare, loaded)
+            )
+            assert second.if_slack / second.value == pytest.approx(first.if_slack / first.value)
+            assert second.error / second.value == pytest.approx(first.error / first.value)
+
+
 def test_the_seat_of_the_recording_is_told_and_can_be_another(fitted):
     tilted = replace(fitted.segments[0].conditions, thigh_angle=np.radians(15.0))
     seated = replace(

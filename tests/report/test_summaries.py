@@ -1,6 +1,7 @@
 """What the prompt and a notebook show of a result: short, escaped, and a frame for pandas."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,6 +11,11 @@ from test_fit_json import fitted
 from exoid.pendulum.catalogue import MEASURES
 from exoid.pendulum.drops import measure_drops
 from exoid.recordings.recording import Protocol, Recording, Segment, Subject
+from exoid.studies.dataset.entry import Entry, Participant
+from exoid.studies.engine.kept.item import Item
+from exoid.studies.engine.kept.measured import Measured
+from exoid.studies.engine.kept.quantities import of_fit
+from exoid.studies.engine.kept.tables import quantities_table
 
 
 def test_a_fit_is_shown_a_line_for_each_quantity():
@@ -33,7 +39,7 @@ def test_a_fit_is_a_data_frame_with_numbers_in_its_columns():
     assert frame["standard_error"].dtype == np.float64
 
 
-def test_what_a_slack_angle_leaves_open_is_in_the_prompt_and_in_the_frame():
+def test_what_a_slack_angle_leaves_open_is_in_the_prompt_the_frame_and_a_study():
     pytest.importorskip("pandas")
     result = fitted()
     name, each = next((name, one) for name, one in result.ratios.items() if one.value is not None)
@@ -43,6 +49,11 @@ def test_what_a_slack_angle_leaves_open_is_in_the_prompt_and_in_the_frame():
     frame = leaning.to_dataframe()
     assert frame.loc[name, "if_slack"] == 1.25
     assert frame["if_slack"].notna().sum() == 1
+    item = Item(Entry(Path("drops.csv"), "drops.csv"), Participant(""), "", "", 0)
+    rows = quantities_table(
+        [Measured(item, rows=[*of_fit(replace(leaning, segments=[]))])]
+    ).to_pylist()
+    assert {row["quantity"]: row["if_slack"] for row in rows if row["if_slack"]} == {name: 1.25}
 
 
 @pytest.mark.parametrize("diagnosis", [found(), nothing(), doubtful()])

@@ -151,9 +151,13 @@ def test_the_batch_fit_agrees_with_what_is_told_of_the_same_drops(person, first)
     from exoid.online.batch import refine
     from exoid.watching.beside.refinement import beside
 
-    found = beside(first, refine([first.segment], SUBJECT, person.model), 1)
+    fitted = refine([first.segment], SUBJECT, person.model)
+    found = beside(first, fitted, 1)
     assert found.agrees
     assert max(map(abs, found.apart.values())) < 2.0  # both saw the same samples
+    leaning = {name: each.if_slack for name, each in fitted.ratios.items() if each.if_slack}
+    assert leaning == {name: more for name, more in found.if_slack.items() if name in leaning}
+    assert leaning  # a drop whose zero nobody vouches for does not tell where a spring is slack
 
 
 def followed(person, readings, **options):

@@ -74,6 +74,7 @@ class Panel:
             else self.said.get("trust", ""),
             "next": words.advice(self.board),
             "fit": words.batch(self.board),
+            "if slack": words.open_if_slack(self.board),
         }
         for ended in self.board.ended[self.told :]:
             say(f"exoid: {drop_line(ended)}", err=True)
@@ -117,6 +118,7 @@ def drawing(board: "Board", name: str) -> Any:
         labelled("next", words.next_movement(board)),
         labelled("", words.gain(board)),
         labelled("check", words.batch(board)),
+        labelled("slack", words.open_if_slack(board)),
     ]
     where = Text(visible(f"exoid live  {name}"))
     return Frame(

@@ -45,6 +45,7 @@ def lines(board: "Board") -> list[str]:
     )
     said = [f"{seconds}{words.trust(board)}", *found]
     said += filter(None, [words.unseen(board), words.allowance(board), words.batch(board)])
+    said += filter(None, [words.if_slack(board)])
     if (then := words.advice(board)) != "":
         said.append(f"next: {then}")
     return said

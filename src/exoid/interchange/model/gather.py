@@ -13,7 +13,7 @@ from exoid.interchange.model.formulas import part_of
 from exoid.interchange.model.joint import Joint, Sensing
 from exoid.interchange.model.numbers import (
     drive_numbers,
-    gravity_share,
+    gravity_number,
     leg_numbers,
     ratio_numbers,
     term_numbers,
@@ -27,6 +27,11 @@ from exoid.physics.sensing.clock_rate import ClockRate
 from exoid.physics.state import LegState
 from exoid.physics.term import Term, name_of
 from exoid.physics.torque import CycleTorque, MeasuredTorque, NoTorque, Torque
+
+IF_SLACK = (
+    "'if slack' is an error more, for a knee's spring that is slack elsewhere than at full "
+    "extension."
+)
 
 
 def gather(result: FitResult, segment: int | None) -> Joint:
@@ -49,6 +54,7 @@ def gather(result: FitResult, segment: int | None) -> Joint:
     return Joint(
         title=titled(result, each, begun, whole),
         numbers=tuple(leg_numbers(result, leg)),
+        gravity=gravity_number(result, leg),
         ratios=tuple(ratio_numbers(result, leg)),
         thigh_angle=begun.thigh_angle,
         parts=tuple(
@@ -65,7 +71,6 @@ def gather(result: FitResult, segment: int | None) -> Joint:
         sensing=sensing(each, begun),
         reach=reach(result),
         astray=result.astray,
-        gravity_share=gravity_share(result),
     )
 
 
@@ -171,6 +176,9 @@ def titled(result: FitResult, each: SegmentFit, begun: Conditions, whole: bool) 
     push = each.torque_amplitude
     if whole and push is not None and push.value is None:
         lines.append(f"Its drive is not determined: {visible(push.reason or 'nothing tells it')}.")
+    numbers = (result.of_leg | result.ratios | result.of_terms).values()
+    if any(found.if_slack is not None for found in numbers):
+        lines.append(IF_SLACK)
     if result.astray is not None:
         lines.append(
             f"It does not follow its recording: {visible(result.astray)}. Trust no number."

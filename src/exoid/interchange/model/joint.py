@@ -30,12 +30,14 @@ class Number:
     value: float
     error: float | None = None
     by: str | None = None  # data, prior, both, bound, or a user's hand
+    if_slack: float | None = None  # error more, for a spring slack elsewhere than at full extension
 
     @property
     def origin(self) -> str:
-        """Its error, unit and who told it, as comments say it."""
+        """Its errors, unit and who told it, as comments say it."""
         error = "" if self.error is None else f"± {self.error:.2g} "
-        return f"{error}{self.unit}, {self.by or 'told by nothing: any that moves alike'}"
+        more = "" if self.if_slack is None else f"(± {self.if_slack:.2g} if slack) "
+        return f"{error}{more}{self.unit}, {self.by or 'told by nothing: any that moves alike'}"
 
     @property
     def words(self) -> str:
@@ -99,6 +101,7 @@ class Joint:
 
     title: tuple[str, ...]  # what was exported, in lines
     numbers: tuple[Number, ...]  # m, J, l, d, c of what turns
+    gravity: Number  # m l g, known better than m and l
     ratios: tuple[Number, ...]  # that motion alone tells, the terms' among them
     thigh_angle: float  # rad
     parts: tuple[Part, ...]
@@ -112,23 +115,11 @@ class Joint:
     sensing: Sensing
     reach: tuple[float, float] = (-2.0, 0.0)  # rad, between which the fitted motion went
     astray: str | None = None
-    gravity_share: float | None = None  # error of m l g, of it
-
-    @property
-    def gravity(self) -> Number:
-        """m l g, known better than m and l."""
-        value, share = self.value["gravity"], self.gravity_share
-        by = next(each.by for each in self.numbers if each.name == "inertia")
-        error = None if share is None else share * abs(value)
-        return Number("gravity", "torque of gravity", "m l g", "N m", value, error, by)
 
     @property
     def value(self) -> Mapping[str, float]:
         """The leg's numbers by name, `gravity` (m l g, N m) among them."""
-        from exoid.physics.leg import GRAVITY
-
-        own = {each.name: each.value for each in self.numbers}
-        return own | {"gravity": own["mass"] * own["com_distance"] * GRAVITY}
+        return {each.name: each.value for each in (*self.numbers, self.gravity)}
 
     @property
     def constants(self) -> dict[str, float]:

@@ -2,12 +2,12 @@
 
 from collections.abc import Iterable
 from dataclasses import fields, replace
-from math import hypot
 
+from exoid.fitting.result.estimates import MOMENT
 from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
 from exoid.interchange.model.called import called
 from exoid.interchange.model.joint import Number
-from exoid.physics.leg import LegParameters
+from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term, name_of
 from exoid.physics.torque import CycleTorque, Torque
@@ -22,7 +22,8 @@ def number_of(name: str, each: Estimate, value: float | None = None) -> Number:
     found = each.value if value is None else value
     assert found is not None
     by = each.set_by if each.value is not None else None
-    return Number(name, each.title, each.symbol, each.unit, found, each.standard_error, by)
+    label = name, each.title, each.symbol, each.unit
+    return Number(*label, found, each.standard_error, by, each.if_slack)
 
 
 def leg_numbers(result: FitResult, leg: LegParameters) -> Iterable[Number]:
@@ -30,21 +31,25 @@ def leg_numbers(result: FitResult, leg: LegParameters) -> Iterable[Number]:
     for each in fields(leg):
         value = float(getattr(leg, each.name))
         found = number_of(each.name, result.parameters[each.name], value)
-        if each.name == "inertia" and found.error is not None:
+        if each.name == "inertia":
             assert result.leg is not None
-            found = replace(found, error=found.error * value / float(result.leg.inertia))
+            found = with_errors(found, value / float(result.leg.inertia))
         yield found
 
 
-def gravity_share(result: FitResult) -> float | None:
-    """Of m l g = (m l g / J) J, whose factors are told by different things."""
-    each = result.ratios.get("gravity_over_inertia"), result.parameters["inertia"]
-    shares = [
-        one.standard_error / abs(one.value)
-        for one in each
-        if one and one.value and one.standard_error
-    ]
-    return hypot(*shares) if len(shares) == len(each) else None
+def gravity_number(result: FitResult, leg: LegParameters) -> Number:
+    """m l g, known better than m and l; with a mass on the leg to the same share."""
+    assert result.leg is not None
+    moment, bare = (float(each.mass) * float(each.com_distance) for each in (leg, result.leg))
+    each = result.gravity_moment or Estimate(*MOMENT, value=None, standard_error=None)
+    found = number_of("gravity", each, moment * GRAVITY)
+    return with_errors(found, moment / bare) if bare else found
+
+
+def with_errors(each: Number, times: float) -> Number:
+    """The number, its errors so many times as large."""
+    error, more = (None if one is None else one * times for one in (each.error, each.if_slack))
+    return replace(each, error=error, if_slack=more)
 
 
 def ratio_numbers(result: FitResult, leg: LegParameters) -> Iterable[Number]:
@@ -73,7 +78,8 @@ def ratio_numbers(result: FitResult, leg: LegParameters) -> Iterable[Number]:
 def as_loaded(each: Number, times: float) -> Number:
     if times == 1.0:
         return each
-    return replace(each, value=times * each.value, error=None, by="with the added mass")
+    value = times * each.value
+    return replace(each, value=value, error=None, if_slack=None, by="with the added mass")
 
 
 def term_numbers(term: Term, result: FitResult) -> tuple[Number, ...]:

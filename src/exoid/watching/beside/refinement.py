@@ -3,7 +3,7 @@
 import gc
 import os
 from concurrent.futures import Future, ProcessPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from math import hypot
 from multiprocessing import get_context
 from typing import Any
@@ -29,6 +29,7 @@ class Refined:
     ratios: dict[str, tuple[float, float]]  # value and standard error, by name
     apart: dict[str, float]  # standard errors between the two, by ratio
     agrees: bool
+    if_slack: dict[str, float] = field(default_factory=dict)  # errors more, by name, of that fit
 
 
 class Refinement:
@@ -116,7 +117,9 @@ def beside(drop: LegDrop, found: Any, count: int) -> Refined:
             raise ValueError(f"it tells no error of {name}")
         ratios[name] = value, error
         apart[name] = (live[name].value - value) / hypot(live[name].error, error)
-    return Refined(count, ratios, apart, max(map(abs, apart.values())) < FAR)
+    each = {**found.ratios, **found.parameters}
+    slack = {name: one.if_slack for name, one in each.items() if one.if_slack is not None}
+    return Refined(count, ratios, apart, max(map(abs, apart.values())) < FAR, slack)
 
 
 def prepare() -> None:

@@ -26,7 +26,7 @@ def now(board: Board) -> dict[str, Any]:
         "drops": words.drops(board),
         "weight": words.weight(board),
         "next": raised(visible(words.advice(board))),
-        "fit": visible(words.batch(board)),
+        "fit": "; ".join(filter(None, [visible(words.batch(board)), words.if_slack(board)])),
         "rows": [
             *(row(board, each) for each in words.quantities(board)),
             *(unknown(board, each.name) for each in words.missing_goals(board)),

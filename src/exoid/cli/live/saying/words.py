@@ -33,6 +33,7 @@ ALLOWANCE = (
     "thigh_angle_uncertainty_deg with it), and a clock that may be what encoder and gyro disagree "
     "by (clock_uncertainty)"
 )
+IF_SLACK = "{}, where the knee's spring is slack elsewhere than at full extension"
 DIGITS = 2  # of an error
 
 
@@ -167,6 +168,22 @@ def batch(board: "Board") -> str:
     verdict = "agrees" if found.agrees else "DISAGREES"
     drops = "the drop" if found.drops == 1 else f"{found.drops} drops"
     return f"the fit of {drops} {verdict}: {far:.1f} standard errors apart at most"
+
+
+def open_if_slack(board: "Board") -> str:
+    """What errors that fit adds for where the knee's spring is slack, to what is believed."""
+    more = {} if board.refined is None or unexplained(board) else board.refined.if_slack
+    return ", ".join(
+        f"± {more[each.name]:.2g} {each.unit} more of {title(each.name)}"
+        for each in quantities(board)
+        if each.name in more
+    )
+
+
+def if_slack(board: "Board") -> str:
+    """The same in a sentence."""
+    found = open_if_slack(board)
+    return found and IF_SLACK.format(found)
 
 
 def drops(board: "Board") -> str:

@@ -25,6 +25,7 @@ class Row:
     unit: str = ""
     determined_by: str = ""
     note: str = ""
+    if_slack: float | None = None  # error more, for a spring slack elsewhere than at full extension
 
 
 def of_drops(test: PendulumTest) -> Iterator[Row]:
@@ -87,7 +88,8 @@ def of_estimate(
     if not result.follows:
         return Row(number, step, name, unit=each.unit, note=f"the fit is astray: {result.astray}")
     value, error = number_or_none(each.value), number_or_none(each.standard_error)
-    return Row(number, step, name, value, error, each.unit, each.set_by or "", each.reason or "")
+    said = each.unit, each.set_by or "", each.reason or ""
+    return Row(number, step, name, value, error, *said, number_or_none(each.if_slack))
 
 
 def of_diagnosis(found: Diagnosis) -> Iterator[Row]:

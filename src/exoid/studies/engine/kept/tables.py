@@ -36,6 +36,7 @@ QUANTITIES = pa.schema(
         ("quantity", TEXT),
         ("value", NUMBER),
         ("standard_error", NUMBER),
+        ("if_slack", NUMBER),
         *((name, TEXT) for name in ("unit", "determined_by", "note")),
     ]
 )
