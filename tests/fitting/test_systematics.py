@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from exoid.fitting.data.segment import movement
 from exoid.fitting.estimate import fit
+from exoid.fitting.model.systematics import ALIKE, ONE_SCALE, in_common
 from exoid.fitting.result.limiting_systematics import (
     ADVICE,
     chief,
@@ -209,6 +211,66 @@ def one_by_one(recording, sessions):
         )
         for number, (segment, session) in enumerate(zip(recording.segments, sessions, strict=True))
     ]
+
+
+def correlations(named):
+    """Of everything that these recordings own."""
+    movements = [movement(each, 0, name, at) for at, (name, each) in enumerate(named)]
+    whitening = in_common(movements)
+    return {name: np.linalg.inv(each.T @ each) for name, each in vars(whitening).items()}
+
+
+@pytest.mark.parametrize(
+    ("told", "others"),
+    [
+        ({"device": "0A1B"}, {"zero", "gyro_scale", "clock"}),
+        ({"encoder_counts": 16384.0}, {"zero"}),
+        ({"gyro_range": 500.0}, {"gyro_scale"}),
+        ({"angle_noise": 2e-3}, set()),  # of the same encoder, filtered another way
+    ],
+)
+def test_other_sensors_in_a_session_share_neither_zero_nor_scale_nor_clock(told, others):
+    sensors = replace(NOISE, device="0A1A", encoder_counts=4096.0, gyro_range=2000.0)
+    named = one_by_one(drops(sensors=sensors), [None] * 5)[:2]
+    name, second = named[1]
+    found = correlations([named[0], (name, replace(second, sensors=replace(sensors, **told)))])
+    alone = {each for each, of in found.items() if len(of) == 2 and of[0, 1] == 0.0}
+    owned = {"zero", "tilt", "gyro_scale", "gyro_bias", "clock"}
+    assert alone & owned == others | {"gyro_bias"}  # which drifts
+    assert found["tilt"][0, 1] == pytest.approx(ALIKE)  # of one seat
+
+
+def test_a_recording_that_names_no_device_has_that_of_the_others_unless_they_have_several():
+    named = one_by_one(drops(), [None] * 5)[:3]
+
+    def zeros(*devices):
+        return correlations(
+            [
+                (name, replace(each, sensors=replace(each.sensors, device=device)))
+                for (name, each), device in zip(named, devices, strict=True)
+            ]
+        )["zero"]
+
+    every = np.full((3, 3), ALIKE) + (1 - ALIKE) * np.eye(3)
+    np.testing.assert_allclose(zeros(None, None, None), every)
+    np.testing.assert_allclose(zeros("A", None, None), every)
+    np.testing.assert_allclose(zeros("A", "B", None), np.eye(3), atol=1e-15)
+
+
+def test_masses_that_were_weighed_on_one_scale_share_its_gain_alone():
+    """Where each sits, and how far it extends, is its own; so is a weight of another session."""
+    three = one_by_one(loaded(), [None] * 6)[3:]
+    named = [
+        (name, replace(each, subject=replace(each.subject, added_mass=mass)))
+        for (name, each), mass in zip(three, (1.0, 2.0, 1.0), strict=True)
+    ]
+    found = correlations(named)
+    np.testing.assert_allclose(found["log_added"][0], [1.0, ONE_SCALE, ALIKE])
+    for name in ("log_distance", "extent"):
+        np.testing.assert_allclose(found[name][0], [1.0, 0.0, ALIKE], atol=1e-15)
+    name, second = named[1]
+    anew = replace(second, subject=replace(second.subject, session="2"))
+    assert correlations([named[0], (name, anew)])["log_added"][0, 1] == pytest.approx(0.0)
 
 
 @pytest.mark.slow

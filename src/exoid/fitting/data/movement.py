@@ -1,7 +1,7 @@
 """A segment as it enters the fit: its channels, its extent, its clock, its noise."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, Literal
 
@@ -13,7 +13,7 @@ from exoid.fitting.model.systematics import DECLARED_NOTHING, Systematics
 from exoid.recordings.conventions.jumps import Jump, jumps
 from exoid.recordings.filter.constants import UNTOLD
 from exoid.recordings.motion.extent import Extent
-from exoid.recordings.recording import Segment
+from exoid.recordings.recording import Segment, Sensors
 from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.local_line import local_line
@@ -42,7 +42,8 @@ class Movement:
     added_mass_distance: float  # m, nan where it is to be estimated
     thigh_angle: float  # rad
     recording: int = 0  # of those that are fitted together
-    session: str | None = None  # in all recordings of one the same sensors, seat and weights
+    session: str | None = None  # in all recordings of one the same seat and weights ...
+    sensors: Sensors = field(default_factory=Sensors)  # ... and sensors, but where said otherwise
     extent: Extent | None = None  # how it began and ended; None where the whole segment is kept
     systematics: Systematics = DECLARED_NOTHING  # how well what is declared is known
     absent: tuple[str, ...] = ()  # what of Eq. 9 a rig does not have: gravity, stiffness

@@ -59,6 +59,7 @@ def movement(
         thigh_angle=recording.thigh_angle(number),
         recording=belongs,
         session=recording.subject.session,
+        sensors=recording.sensors,
         extent=part.extent,
         systematics=systematics(recording, number),
         absent=recording.absent,

@@ -13,6 +13,11 @@ from exoid.recordings.recording import Recording
 OWNED = tuple(each.name for each in fields(Mounting))
 OF_THE_GYRO = ("gyro_scale", "gyro_bias")
 OF_THE_MASS = ("log_distance", "log_added", "extent")
+OF_SENSORS = {  # and by what a sidecar tells those of another recording apart
+    "zero": ("device", "encoder_counts"),
+    "gyro_scale": ("device", "gyro_range"),
+    "clock": ("device",),
+}
 SOMEWHERE = 0.35  # m, of a mass on the shank of which no more is known
 ANYWHERE = 0.5  # of its logarithm
 
@@ -38,6 +43,9 @@ MEASURED_GYRATION = 0.1  # of a declared radius of gyration
 # Of the variance, what recordings of one session have in common: their sensors, seat and weights
 # are the same. The rest is a cuff that slips, a weight that is strapped on anew.
 ALIKE = 0.95
+# The same of the weights of several masses: all but what a scale's reading scatters, 2 g of the 5 g
+# to which a kilogram is weighed, is its gain, the same for all that is weighed on it.
+ONE_SCALE = 0.8
 
 
 @dataclass(frozen=True)
@@ -126,25 +134,53 @@ def in_common(each: Sequence, owned: Sequence[str] = OWNED) -> Mounting:
     recordings = by_recording(each)
 
     def whitening(name: str) -> np.ndarray:
-        said = [common(own, name) for own in recordings]
-        alike = [[a is not None and a == b for b in said] for a in said]
-        correlation = np.where(np.eye(len(said)), 1.0, ALIKE * np.array(alike))
-        return np.linalg.inv(np.linalg.cholesky(correlation))
+        known, what = [known_as(own, name) for own in recordings], which(recordings, name)
+        both = [None if one is None else (one, of) for one, of in zip(known, what, strict=True)]
+        shared = ALIKE * equal(both)
+        if name == "log_added":
+            shared = np.maximum(shared, ONE_SCALE * equal(known))
+        return np.linalg.inv(np.linalg.cholesky(np.where(np.eye(len(both)), 1.0, shared)))
 
     return Mounting(**{name: whitening(name) if name in owned else NONE for name in OWNED})
 
 
-def common(movements: Sequence, name: str) -> tuple | None:
-    """What another recording has to share for this to be off by the same; None of what is exact, or
-    is each recording's own: a gyro's bias drifts.
+def equal(each: Sequence) -> np.ndarray:
+    """Which of them are equal; None is to nothing."""
+    return np.array([[one is not None and one == other for other in each] for one in each])
+
+
+def known_as(movements: Sequence, name: str) -> tuple | None:
+    """In which session, and how well, a recording knows this; None of what is exact, or is each
+    recording's own: a gyro's bias drifts.
     """
-    unknown = [one for one in movements if not is_exact(one, name, movements)]
-    if name == "gyro_bias" or not unknown:
+    first = first_unknown(movements, name)
+    if name == "gyro_bias" or first is None:
         return None
-    first = unknown[0]
-    where = first.load if name in OF_THE_MASS else first.thigh_angle if name == "tilt" else None
-    said = own_deviations(movements)[name], name in first.systematics.declared
-    return first.session, where, *said
+    return first.session, own_deviations(movements)[name], name in first.systematics.declared
+
+
+def which(recordings: Sequence[Sequence], name: str) -> list:
+    """By recording, of which sensors, mass or seat this is."""
+    if name in OF_SENSORS:
+        return sensors_of(recordings, OF_SENSORS[name])
+    first = [first_unknown(own, name) or own[0] for own in recordings]
+    if name == "tilt":
+        return [one.thigh_angle for one in first]
+    return [one.added_mass if name == "log_added" else one.load for one in first]
+
+
+def sensors_of(recordings: Sequence[Sequence], names: Sequence[str]) -> list[tuple]:
+    """By recording, what tells its sensors from others: where recordings name but one, it is that
+    of those, too, that name none.
+    """
+    said = [[getattr(own[0].sensors, name) for name in names] for own in recordings]
+    several = [len({*column} - {None}) > 1 for column in zip(*said, strict=True)]
+    return [tuple(value for value, more in zip(one, several, strict=True) if more) for one in said]
+
+
+def first_unknown(movements: Sequence, name: str):
+    """The first movement of a recording that does not have this exact; None where all have."""
+    return next((one for one in movements if not is_exact(one, name, movements)), None)
 
 
 def sharing(whitening: np.ndarray) -> list[list[int]]:

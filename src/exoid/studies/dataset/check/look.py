@@ -66,8 +66,8 @@ def facts_of(read: Loaded) -> Facts:
 
 def device_of(read: Loaded) -> str:
     """What recorded it: as the sidecar says, the node, or which channels there are."""
-    said = read.recording.sensors.extra_keys.get("device")
-    if isinstance(said, str):
+    said = read.recording.sensors.device
+    if said is not None:
         return visible(said)
     if read.quality is not None:
         return NODE

@@ -24,13 +24,12 @@ def facts(one: Measured) -> dict[str, Any]:
     if one.recording is None:
         return {}
     subject, segments = one.recording.subject, one.recording.segments
-    device = one.recording.sensors.extra_keys.get("device", "")
     return {
         "segments": len(segments),
         "samples": sum(each.time.size for each in segments),
         "duration_s": float(sum(each.time[-1] - each.time[0] for each in segments)),
         "rate_hz": rate_of(segments),
-        "device": device if isinstance(device, str) else "",
+        "device": one.recording.sensors.device or "",
         "body_mass_kg": subject.body_mass,
         "height_m": subject.height,
         "age_years": subject.age,
