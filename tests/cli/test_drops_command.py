@@ -62,10 +62,12 @@ def test_a_record_without_any_drop_is_told_and_did_not_succeed(command, folder, 
     assert not figure.exists()
 
 
-def test_a_drop_of_which_nothing_can_be_read_did_not_succeed(command, tmp_path):
-    write_table(drop(noise=NOISE, lasting=0.1), tmp_path / "short.csv")
+@pytest.mark.parametrize("lasting", [0.1, 0.4])  # s: cut as it is let go, and in the fall
+def test_a_drop_of_which_nothing_can_be_read_did_not_succeed(command, tmp_path, lasting):
+    write_table(drop(noise=NOISE, lasting=lasting), tmp_path / "short.csv")
     done = command("drops", tmp_path / "short.csv")
-    assert "- not read: start angle" in done.stdout
+    assert "Segments that were not read - 0: nothing to read: " in " ".join(done.stdout.split())
+    assert "Drop of segment" not in done.stdout
     assert done.returncode == 1
 
 

@@ -82,6 +82,14 @@ def test_a_name_that_cannot_be_written_is_refused(command, tmp_path, name, said)
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.parametrize(("angle", "unlikely"), [(20, True), (10, False), (-20, False)])
+def test_a_drop_from_an_overextended_knee_is_asked_for_its_sign(command, tmp_path, angle, unlikely):
+    done = command("simulate", tmp_path / "leg.csv", "--drop", angle, "--duration", 2)
+    assert done.returncode == 0
+    assert ("For 20 deg of flexion say --drop -20." in done.stderr) == unlikely
+    assert bool(done.stderr) == unlikely
+
+
 def test_a_failing_run_leaves_the_recording_that_was_there(command, tmp_path):
     for name in ("leg.csv", "leg.toml"):
         (tmp_path / name).write_text("old")

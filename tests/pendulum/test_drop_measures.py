@@ -77,3 +77,13 @@ def test_of_a_turn_that_is_no_swing_no_decrement_is_told(drops):
 def test_a_recording_that_ends_as_the_leg_is_let_go_tells_nothing_and_is_no_fault():
     (found,) = measure_drops(drop(noise=NOISE, lasting=0.05)).drops
     assert not found.measured
+    assert "fewer than 8 samples follow the release" in found.reason
+
+
+@pytest.mark.parametrize(("lasting", "read"), [(0.45, False), (0.9, True)])
+def test_where_a_drop_begins_tells_nothing_of_it_alone(lasting, read):
+    """The first flexion of `swings.py` has its peak at 0.6 s."""
+    test = measure_drops(drop(noise=NOISE, lasting=lasting))
+    assert test.drops[0].measured == read
+    assert ("start_angle" in test.average) == read
+    assert (test.drops[0].reason is None) == read

@@ -8,7 +8,7 @@ from exoid.pendulum.halt import of_halt
 from exoid.pendulum.smoothing import as_smoothed
 from exoid.recordings.conventions.jumps import AGAIN, jumps_of, told_jumps
 from exoid.recordings.landmarks.find_landmarks import find_landmarks
-from exoid.recordings.landmarks.measure import NotAllowed
+from exoid.recordings.landmarks.measure import Measure, NotAllowed
 from exoid.recordings.landmarks.track import track_of
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.motion.drops import law_for
@@ -81,11 +81,21 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         law = law_for(cleaned.recording, number)
         seen = signal_of(segment, cleaned.recording.sensors)
         found = find_landmarks(track, recording.subject.kind != "rig", law, seen)
+        halt = None if recording.subject.kind == "rig" else of_halt(found)
+        read, note = as_smoothed(measures(found), cleaned.angle, recording)
+        if halt is None:
+            check_motion(read)
     except NotAllowed as why:
         return Drop(name, segment, mass, {}, None, str(why))
-    read, note = as_smoothed(measures(found), cleaned.angle, recording)
-    halt = None if recording.subject.kind == "rig" else of_halt(found)
     return Drop(name, segment, mass, read, found, note=note, halt=halt)
+
+
+def check_motion(read: dict[str, Measure]) -> None:
+    """**Raises** `NotAllowed` where nothing is told of a drop but where it begins, as of a record
+    that ends in the fall.
+    """
+    if all(each.value is None for name, each in read.items() if name != "start_angle"):
+        raise NotAllowed(f"nothing to read: {read['first_flexion_amplitude'].reason}")
 
 
 def averages(drops: list[Drop]) -> dict[str, Average]:

@@ -17,6 +17,7 @@ LEG = {"mass": 4.5, "inertia": 0.44, "com_distance": 0.265, "damping": 0.35, "st
 ANKLE = 0.40  # m
 TINY, HUGE = 1e-3, 1e3  # of a leg's parameters in SI units; beyond them the steps are too coarse
 LOWEST, HIGHEST = -180.0, 20.0  # deg, of a start; a drop from there stays within a knee's reach
+OVEREXTENDED = 10.0  # deg, beyond which a knee is hypermobile (Beighton's score)
 STRONGEST = 250.0  # N m
 LONGEST = 120.0  # s, of a movement
 
@@ -125,6 +126,8 @@ def simulate(
     )
     write_table(recording, output)
     segments = counted(len(recording.segments), "segment")
+    for line in overextended(drop, cycle):
+        say(line, err=True)
     say(f"{output}: {segments}, and {output.with_suffix('.toml')}")
 
 
@@ -163,3 +166,14 @@ def check_starts(
             f"--torque-amplitude is {torque_amplitude:g} N m; "
             f"it must lie between -{STRONGEST:g} and {STRONGEST:g}."
         )
+
+
+def overextended(drop: list[float] | None, cycle: list[float] | None) -> list[str]:
+    """What to say of starts that are more likely flexion with the wrong sign."""
+    return [
+        f"exoid: --{name} {angle:g} begins with the knee overextended by {angle:g} deg, which few "
+        f"can: extension is positive. For {angle:g} deg of flexion say --{name} {-angle:g}."
+        for name, angles in (("drop", drop), ("cycle", cycle))
+        for angle in angles or []
+        if angle > OVEREXTENDED
+    ]
