@@ -19,7 +19,20 @@ from exoid.report.words.diagnosis.asserted import ran_free
 from exoid.report.words.diagnosis.cause import parameter
 from exoid.report.words.diagnosis.leg import beside
 from exoid.report.words.diagnosis.sentences import sentences
+from exoid.report.words.diagnosis.used import used
 from exoid.report.words.diagnosis.verdict import headline, verdict
+
+
+def test_what_was_used_does_not_say_again_why_the_rest_was_not():
+    hand = "as where a hand lets go slowly or moves as it lets go, or a muscle holds the leg"
+    aside = f"the first 0.3 s were left out: the leg is kept back, {hand}. Let go at once."
+    other = "segment 3 was left out: nothing moves freely in there, or hardly ever"
+    reason = f"nothing is missing but in the first 0.3 s: there the leg is kept back, {hand}."
+    assert used([aside, other], "") == [aside, other]
+    assert used([aside, other], f"{reason} Let go at once.") == [
+        "the first 0.3 s were left out: the leg is kept back.",
+        other,
+    ]
 
 
 def test_a_parameter_without_an_error_is_no_measurement():

@@ -11,6 +11,7 @@ from exoid.report.words.astray import astray
 from exoid.report.words.diagnosis.asserted import evidence, is_chosen, ran_free
 from exoid.report.words.diagnosis.leg import beside, tabled
 from exoid.report.words.diagnosis.sentences import sentences
+from exoid.report.words.diagnosis.used import used
 from exoid.report.words.diagnosis.verdict import headline
 from exoid.report.words.text import (
     causes_in_words,
@@ -43,9 +44,11 @@ def print_diagnosis(found: Diagnosis, console: Console) -> None:
         heading(console, "No model here follows this recording")
         say(console, astray(found.fit, diagnosed=True))
     heading(console, headline(found))
-    for title, sentence in sentences(found).items():
+    said = sentences(found)
+    for title, sentence in said.items():
         say(console, f"{title + ':':{MARGIN}s}{sentence}", MARGIN)
-    note(console, found.fit.set_aside, "What of the recordings was used")
+    aside = used(found.fit.set_aside, " ".join(said.values()))
+    note(console, aside, "What of the recordings was used")
     if found.after is not None:
         print_table(before_and_after(found.before, found.after), console)
         say(console, f"± one standard error, with the part for {in_errors_of(found.after)}.")
