@@ -1,6 +1,9 @@
 """What goes on beside a stream: advice, the batch fit, and the thread that follows."""
 
 import os
+import signal
+import subprocess
+import sys
 import time
 from concurrent.futures import Future, ProcessPoolExecutor
 from dataclasses import replace
@@ -14,7 +17,7 @@ from exoid.online.model.trust import Phase, Trust
 from exoid.watching.beside.coach import Coach
 from exoid.watching.beside.goals import goal_of
 from exoid.watching.beside.next_movement import Advice, Wish, advise
-from exoid.watching.beside.refinement import BACKGROUND, Refinement, prepare
+from exoid.watching.beside.refinement import BACKGROUND, Refinement, prepare, unheard
 from exoid.watching.board import MOST, Board
 from exoid.watching.estimate.leg import Leg, LegDrop
 from exoid.watching.estimate.load import Load, Mass
@@ -134,6 +137,28 @@ def test_drops_are_fitted_all_together_the_newest_set_after_the_one_that_runs(pe
     pool.handed[0][1].set_exception(ValueError("it is of no use"))
     refinement.look()
     assert refinement.failed == "it is of no use"
+
+
+@pytest.mark.skipif(not hasattr(signal, "pthread_sigmask"), reason="signals cannot be blocked here")
+def test_a_process_that_starts_hears_no_interrupt_and_its_starter_hears_it_afterwards():
+    asleep = [sys.executable, "-c", "import time; time.sleep(1)"]
+    with unheard():
+        deaf = subprocess.Popen(asleep)
+    hearing = subprocess.Popen(asleep, stderr=subprocess.DEVNULL)
+    for each in (deaf, hearing):
+        each.send_signal(signal.SIGINT)
+    assert deaf.wait() == 0
+    assert hearing.wait() != 0
+    done = []
+
+    def interrupted() -> None:
+        with unheard():
+            os.kill(os.getpid(), signal.SIGINT)
+            done.append("all of it")
+
+    with pytest.raises(KeyboardInterrupt):
+        interrupted()
+    assert done == ["all of it"]
 
 
 @pytest.mark.slow

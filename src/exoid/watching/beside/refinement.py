@@ -2,7 +2,10 @@
 
 import gc
 import os
+import signal
+from collections.abc import Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from math import hypot
 from multiprocessing import get_context
@@ -77,7 +80,8 @@ class Refinement:
             )
         subject = replace(self.subject, **dict.fromkeys(MASS) | carried)
         segments = [each.segment for each in self.drops]
-        future = self.pool.submit(refine, segments, subject, self.model)
+        with unheard():
+            future = self.pool.submit(refine, segments, subject, self.model)
         self.running = future, self.drops[-1], len(self.drops)
 
     def finish(self, future: Future, drop: LegDrop, count: int) -> None:
@@ -122,12 +126,25 @@ def beside(drop: LegDrop, found: Any, count: int) -> Refined:
     return Refined(count, ratios, apart, max(map(abs, apart.values())) < FAR, slack)
 
 
+@contextmanager
+def unheard() -> Iterator[None]:
+    """What this thread starts meanwhile hears no Ctrl-C, not even before `prepare`: a process
+    inherits what its starter blocks. Here it is heard afterwards.
+    """
+    if not hasattr(signal, "pthread_sigmask"):  # Windows
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
 def prepare() -> None:
     """In the other process: programs are kept, Ctrl-C is left to the one that started it, and the
     stream has a core of its own.
     """
-    import signal
-
     from exoid.fitting.solve.program_cache import keep_programs_in
 
     os.nice(BACKGROUND)
