@@ -132,6 +132,67 @@ def test_matlab_variables_and_structs_are_read(tmp_path):
     check(path, columns={"time_s": "data.1", "raw_angle_deg": "data.2"})
 
 
+COUNTS = (60, 70, 65)
+
+
+def trials(*, emg=False):
+    """Of other lengths and heights each; the EMG is ten times as fast."""
+    for number, count in enumerate(COUNTS):
+        time = np.arange(count) * 0.01
+        angle = -90 + (70 - 5 * number) * np.exp(-time) * np.cos(5 * time)
+        yield {"t": time, "knee": angle, **({"emg": np.zeros(10 * count)} if emg else {})}
+
+
+def in_structs(how, each):
+    """As MATLAB has them: a struct array, a cell of structs, or a struct for each."""
+    if how == "array":
+        array = np.empty((1, len(each)), [(name, object) for name in each[0]])
+        for number, one in enumerate(each):
+            array[0, number] = tuple(one.values())
+        return {"trial": array}
+    if how == "cell":
+        cell = np.empty(len(each), object)
+        cell[:] = each
+        return {"trials": cell}
+    named = {f"Drop_{number:02d}": one for number, one in enumerate(each, 1)}
+    return named if how == "structs" else {"data": named}
+
+
+@pytest.mark.parametrize("emg", [False, True])
+@pytest.mark.parametrize("how", ["array", "cell", "structs", "nested"])
+def test_the_trials_of_a_matlab_file_are_the_segments_of_a_recording(tmp_path, how, emg):
+    io = pytest.importorskip("scipy.io")
+    each = [*trials(emg=emg)]
+    io.savemat(tmp_path / "leg.mat", in_structs(how, each))
+    loaded = load(tmp_path / "leg.mat")
+    assert [one.time.size for one in loaded.recording.segments] == [*COUNTS]
+    for segment, one in zip(loaded.recording.segments, each, strict=True):
+        np.testing.assert_allclose(segment.raw_angle, np.radians(one["knee"]), rtol=0, atol=1e-14)
+        np.testing.assert_allclose(segment.time, one["t"], rtol=0, atol=1e-12)
+    said = "\n".join(loaded.notes)
+    assert "1 to 3: 3 segments of one recording" in said
+    assert (".emg" in said) == emg  # of other lengths, not read
+
+
+def test_one_of_several_trials_is_read_where_it_is_named(tmp_path):
+    io = pytest.importorskip("scipy.io")
+    each = [*trials()]
+    io.savemat(tmp_path / "leg.mat", {f"trial{number}": one for number, one in enumerate(each, 1)})
+    named = {"time_s": "trial2.t", "raw_angle_deg": "trial2.knee"}
+    (segment,) = load(tmp_path / "leg.mat", columns=named).recording.segments
+    np.testing.assert_allclose(segment.raw_angle, np.radians(each[1]["knee"]), rtol=0, atol=1e-14)
+
+
+def test_structs_that_are_numbered_but_no_trials_stay_apart(tmp_path):
+    """Two encoders, say: nobody knows what of them is the knee's."""
+    io = pytest.importorskip("scipy.io")
+    first, second, _ = trials()
+    alike = {name: one[: first["t"].size] for name, one in second.items()}
+    io.savemat(tmp_path / "leg.mat", {"encoder1": first, "encoder2": alike})
+    with pytest.raises(ValueError, match=r"several columns can be the time: encoder1\.t, encoder2"):
+        load(tmp_path / "leg.mat")
+
+
 def test_a_rate_among_the_variables_takes_the_place_of_a_time(tmp_path):
     io = pytest.importorskip("scipy.io")
     io.savemat(tmp_path / "leg.mat", {"knee": ANGLE, "Fs": 100.0})

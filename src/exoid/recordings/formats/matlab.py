@@ -1,6 +1,6 @@
 """MATLAB's .mat: version 7 and older by SciPy, version 7.3, which is HDF5, by h5py."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -18,8 +18,8 @@ OPAQUE = ("__function_workspace__", "#subsystem#")  # where MATLAB keeps what on
 DEEPEST = 8  # structs within structs
 
 
-def read_matlab(path: Path) -> Sheet:
-    """The vectors of one length, in variables and in structs.
+def read_matlab(path: Path, wanted: Collection[str] = ()) -> Sheet:
+    """The vectors of one length, in variables and in structs, `wanted` by their names or not.
 
     **Raises** `ValueError` where there are none; a `table` or `timetable` of MATLAB cannot be read.
     """
@@ -32,7 +32,7 @@ def read_matlab(path: Path) -> Sheet:
             "holds a table or another object that only MATLAB reads. Save its columns as arrays, "
             "or write it with writetable(T, 'name.csv') or parquetwrite."
         )
-    return sheet_of_arrays(plain, Place("sample"))
+    return sheet_of_arrays(plain, Place("sample"), wanted)
 
 
 def variables(path: Path) -> Arrays:

@@ -1,6 +1,7 @@
 """NumPy's .npz: named arrays, never pickled objects."""
 
 import os
+from collections.abc import Collection
 from pathlib import Path
 from typing import BinaryIO
 from zipfile import BadZipFile, ZipFile, is_zipfile
@@ -12,8 +13,8 @@ from exoid.recordings.tables.arrays import sheet_of_arrays
 from exoid.recordings.tables.sheet import Place, Sheet, printable
 
 
-def read_npz(path: Path) -> Sheet:
-    """The vectors of one length.
+def read_npz(path: Path, wanted: Collection[str] = ()) -> Sheet:
+    """The vectors of one length, `wanted` by their names or not.
 
     **Raises** `ValueError` where there are none; pickled objects are not opened.
     """
@@ -23,7 +24,7 @@ def read_npz(path: Path) -> Sheet:
         if not isinstance(file, np.lib.npyio.NpzFile):
             raise ValueError("holds one array without names. Save with np.savez(time=..., ...).")
         arrays = {name: opened(file, name) for name in file.files}
-    return sheet_of_arrays(arrays, Place("sample"))
+    return sheet_of_arrays(arrays, Place("sample"), wanted)
 
 
 def check_archive(stream: BinaryIO) -> None:

@@ -58,7 +58,7 @@ def read_sheet(path: Path, wanted: Collection[str] = ()) -> Sheet:
     if not path.is_file():
         raise ValueError("cannot be read: No such file or directory. Check the name.")
     reader = getattr(import_module(f"exoid.recordings.formats.{module}"), f"read_{module}")
-    if suffix == ".c3d":
+    if suffix in (".c3d", ".mat", ".npz"):
         reader = partial(reader, wanted=wanted)
     return reader(path) if called is None else guarded(reader, path, called)
 

@@ -1,13 +1,13 @@
 """Named arrays as a table: what MATLAB, NumPy and Python hold in memory."""
 
-from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
-from exoid.recordings.tables.names import recognised
+from exoid.recordings.tables.names import main_size
 from exoid.recordings.tables.sheet import Column, Place, Sheet, listed, printable
+from exoid.recordings.tables.trials import below_each_other
 from exoid.recordings.tables.units import parted
 
 RATES = {"fs", "rate", "sample_rate", "samplerate", "sampling_rate", "samplingrate", "freq",
@@ -15,10 +15,11 @@ RATES = {"fs", "rate", "sample_rate", "samplerate", "sampling_rate", "samplingra
 DEEPEST = 8  # structs within structs
 
 
-def sheet_of_arrays(arrays: Mapping[str, Any], place: Place) -> Sheet:
-    """The vectors of one length: that of the time, else that of most.
+def sheet_of_arrays(arrays: Mapping[str, Any], place: Place, wanted: Collection[str] = ()) -> Sheet:
+    """The vectors of one length: that of the time, else that of most; of those `wanted`, if any.
 
-    A matrix is taken column by column, `data(:,2)` as `data.2`; a struct by its fields, `trial.t`.
+    A matrix is taken column by column, `data(:,2)` as `data.2`; a struct by its fields, `trial.t`;
+    trials in numbered structs one below the other, unless one of them is `wanted` by its name.
 
     **Raises** `ValueError` where there is no vector of numbers.
     """
@@ -32,9 +33,11 @@ def sheet_of_arrays(arrays: Mapping[str, Any], place: Place) -> Sheet:
     if not vectors:
         names = listed([name for name, _ in flat]) or "nothing"
         raise ValueError(f"holds no vector of numbers. It holds: {names}.")
-    size = main_size(vectors)
+    named = [each for each in vectors if each.name in wanted]
+    vectors, said = (vectors, ()) if named else below_each_other(vectors)
+    size = main_size(named or vectors)
     others = [each.name for each in vectors if len(each.cells) != size]
-    notes = (f"of other lengths, not read: {listed(others)}.",) if others else ()
+    notes = (*said, f"of other lengths, not read: {listed(others)}.") if others else said
     alike = tuple(each for each in vectors if len(each.cells) == size)
     return Sheet(alike, place, rate=rates[0] if rates and rates[0] > 0 else None, notes=notes)
 
@@ -48,11 +51,21 @@ def flattened(
         if isinstance(value, Mapping):
             if depth < DEEPEST:
                 yield from flattened(value, f"{name}.", depth + 1)
+        elif structs := structs_in(value):
+            yield from flattened(structs, name, depth)
         elif (array := as_array(value)).dtype.names:
             parts = {field: array[field] for field in array.dtype.names}
             yield from flattened(parts, f"{name}." if array.ndim == 1 and prefix else "", depth + 1)
         else:
             yield name, array
+
+
+def structs_in(value: Any) -> dict[str, Mapping[str, Any]]:
+    """By their numbers in MATLAB, the structs of an array or of a cell; none of anything else."""
+    each = value.tolist() if isinstance(value, np.ndarray) and value.dtype == object else value
+    if not isinstance(each, list) or not all(isinstance(one, Mapping) for one in each):
+        return {}
+    return {f"({number})": one for number, one in enumerate(each, 1)}
 
 
 def as_array(value: Any) -> np.ndarray:
@@ -103,12 +116,3 @@ def mixed(cells: list[Any]):
         plain = all(isinstance(each, str | None | float) for each in cells)
         return tuple(str(each or "") if each == each else "" for each in cells) if plain else None
     return np.array(numbers, dtype=np.float64)
-
-
-def main_size(vectors: list[Column]) -> int:
-    """The length of the time or the angle, where one is told by its name; else of most vectors."""
-    for quantity in ("time", "angle"):
-        found = recognised(tuple(vectors), quantity)
-        if found:
-            return len(found[0].cells)
-    return Counter(len(each.cells) for each in vectors).most_common(1)[0][0]

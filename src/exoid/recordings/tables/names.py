@@ -5,6 +5,7 @@ gyro where it is called one: else it may be the slope of the angle, which tells 
 """
 
 import re
+from collections import Counter
 
 from exoid.recordings.columns import NUMERIC
 from exoid.recordings.tables.sheet import Column
@@ -72,3 +73,12 @@ def recognised(columns: tuple[Column, ...], quantity: str) -> list[Column]:
         if found:
             return found
     return []
+
+
+def main_size(vectors: list[Column]) -> int:
+    """The length of the time or the angle, where one is told by its name; else of most vectors."""
+    for quantity in ("time", "angle"):
+        found = recognised(tuple(vectors), quantity)
+        if found:
+            return len(found[0].cells)
+    return Counter(len(each.cells) for each in vectors).most_common(1)[0][0]
