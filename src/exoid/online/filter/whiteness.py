@@ -52,10 +52,15 @@ def unwhite(white: Whiteness) -> Float[Array, "2"]:
     return jnp.max(white.lagged / jnp.sqrt(jnp.maximum(white.squares, least)), axis=1)
 
 
+def judged(white: Whiteness) -> Bool[Array, ""]:
+    """Were there enough samples for a model to fail by?"""
+    return white.weight > FEWEST
+
+
 def fails(white: Whiteness) -> Bool[Array, "2"]:
     """Does the model fail to explain what each filter saw?"""
     loud = jnp.max(white.power, axis=1) > POWER * jnp.maximum(white.weight, 1.0)
-    return ((unwhite(white) > LIMIT) | loud) & (white.weight > FEWEST)
+    return ((unwhite(white) > LIMIT) | loud) & judged(white)
 
 
 def nothing_seen() -> Whiteness:

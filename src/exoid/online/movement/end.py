@@ -10,7 +10,7 @@ from jaxtyping import Array, Bool
 from exoid.online.filter.gaussian import Gaussian
 from exoid.online.filter.pack import where_so
 from exoid.online.filter.select import select
-from exoid.online.filter.whiteness import fails
+from exoid.online.filter.whiteness import fails, judged, unwhite
 from exoid.online.model.trust import Phase
 from exoid.online.movement.evidence import EVIDENCE, evidence
 from exoid.online.movement.knowledge import NEVER, Knowledge
@@ -40,7 +40,8 @@ def closed(belief: Knowledge, gone, failing, cut, torn) -> Knowledge:
     sound = jnp.where(failing | cut, older.unwhite < SUDDEN, True)
     end = jnp.where(failing | cut, older.time, course.reached)
     swings = jnp.where(failing | cut, older.turns, course.turns) >= SWINGS
-    counts = sound & (end - course.begun > SHORTEST) & (swings | gone)
+    free = swings | (gone & (unwhite(course.whiteness)[1] < SUDDEN))
+    counts = sound & judged(course.whiteness) & (end - course.begun > SHORTEST) & free
     kept = select(failing | cut, older.filters, belief.filters)
     odds = jnp.where(failing | cut, older.evidence, evidence(course))
     known = select(counts, told(kept, odds), belief.before)
