@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from exoid.mismatch.conclude.verdict.own_torques import of_own_torques, own_torques
 from exoid.mismatch.evidence.locate import between
 from exoid.mismatch.evidence.location import Location, Missing, Region
 
@@ -37,3 +38,26 @@ def test_a_torque_of_each_segments_own_is_told_from_what_comes_back_in_all(level
     each = [replace(missing("", OWN), torque=swing + own) for own in (0.0, level, -level)]
     location = Location(each, [], 0.05, 0.05, by_segment=between(each))
     assert ("within each segment" in location.pattern) is says
+
+
+@pytest.mark.parametrize(("swing", "explains"), [(0.1, True), (0.5, False)])
+def test_a_torque_of_each_segments_own_explains_it_only_down_to_the_noise(swing, explains):
+    """Beside an oscillation that the noise of 0.1 N m makes, or that something else does."""
+    own = {"first": 0.6, "second": 0.0, "third": -0.9}
+    waves = swing * np.array([0.0, 1.0, 0.0, -1.0, 0.0])
+    each = [replace(missing(name, OWN), torque=waves + level) for name, level in own.items()]
+    found = own_torques(Location(each, [], 0.05, 0.05, by_segment=between(each)))
+    assert found == pytest.approx(own if explains else {})
+
+
+def test_one_segment_alone_has_no_torque_of_its_own():
+    lone = [replace(missing("", OWN), torque=np.full(5, 0.3))]
+    assert own_torques(Location(lone, [], 0.05, 0.05, by_segment=between(lone))) == {}
+
+
+def test_torques_of_segments_are_told_over_an_inertia_that_is_a_guess():
+    own = {"0": 0.3, "1": -0.15}
+    assert "+0.3 N m in segment 0, -0.15 N m in segment 1" in of_own_torques(
+        own, 0.5, guessed=False
+    )
+    assert "+0.6 1/s^2 in segment 0, -0.3 1/s^2" in of_own_torques(own, 0.5, guessed=True)

@@ -23,6 +23,7 @@ from exoid.mismatch.conclude.rivals import (
     with_rivals,
 )
 from exoid.mismatch.conclude.verdict.cannot_tell import unlike_a_leg
+from exoid.mismatch.conclude.verdict.own_torques import RELAXED
 from exoid.mismatch.novel.formula import fitted_formula
 from exoid.mismatch.screen.effect import named as named_values
 from exoid.mismatch.screen.hypothesis import Hypothesis
@@ -147,7 +148,8 @@ def lost(found: Diagnosis) -> Diagnosis:
         ". A stretch reflex (spasticity) that differs from drop to drop, a hand that leads the leg "
         "or stops it, and what it strikes are in no model"
     )
-    return replace(found, reasons=[why, *found.reasons], advice=[ALONE])
+    then = [each for each in found.advice if each == RELAXED] or [ALONE]
+    return replace(found, reasons=[why, *found.reasons], advice=then)
 
 
 def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:

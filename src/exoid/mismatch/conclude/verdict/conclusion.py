@@ -62,13 +62,14 @@ def concluded(
     certain = certain_of(found, best) if named else sure
     repeated = included(found, certain, best, formula, seed)
     lucky = by_chance(found, best, seed)
-    case = Case(result, found, best, formula, certain, equal, bias is not None)
+    inertia = float(np.exp(leg_of(found, best).log_inertia))
+    place = location.with_inertia(inertia)
+    case = Case(result, found, best, formula, certain, equal, bias is not None, place)
     judged = judge(case, shown, repeated, lucky)
     verdict, then = judged.verdict, judged.then
     maybe = judged.unseen or ([] if then else likely(found))
     novel = verdict == "mismatch" and formula is not None
     biased = [BIAS] if bias is not None and verdict != "cannot_tell" else []
-    inertia = float(np.exp(leg_of(found, best).log_inertia))
     selected = [*named_terms(found, best, certain), *biased]
     rivals = [*equal, *(one for one in maybe if one not in equal)]
     suspected = rivals if verdict == "cannot_tell" else equal if len(equal) > 1 else []
@@ -83,7 +84,7 @@ def concluded(
         parameters=[*parameters_of(found, best, formula), *([bias] if bias else [])],
         inertia=inertia,
         booked=booked(found, found.base, best),
-        location=location.with_inertia(inertia),
+        location=place,
         proof=shown,
         baseline=weighed(found, found.base, best),
         best=replace(weighed(found, best, best), terms=[FORMULA] if formula else names(best)),
@@ -99,7 +100,7 @@ def concluded(
         before=result,
         suspected=suspects(found, suspected, best),
         advice=then or advised(found, equal or maybe[:2], verdict, formula),
-        but_ends=bool(then),
+        but_ends=judged.but_ends,
         workings=Workings(found, best),
     )
 

@@ -23,12 +23,14 @@ from exoid.mismatch.conclude.verdict.cannot_tell import (
     vague,
 )
 from exoid.mismatch.conclude.verdict.nothing_missing import of_what_hides, of_zeros
-from exoid.mismatch.conclude.verdict.undecided import undecided
+from exoid.mismatch.conclude.verdict.own_torques import RELAXED, of_own_torques, own_torques
+from exoid.mismatch.conclude.verdict.undecided import share, undecided
+from exoid.mismatch.evidence.location import Location
 from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.evidence.yardstick import FOLLOWED
 from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
-from exoid.mismatch.search.found import Found
+from exoid.mismatch.search.found import Found, names, words
 from exoid.physics.term import Term, name_of
 
 
@@ -43,6 +45,7 @@ class Case:
     certain: tuple[type[Term], ...]  # of its causes
     equal: list[Optimum]  # that explain as much
     biased: bool  # is the gyro's zero surely off?
+    location: Location
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +55,8 @@ class Judgement:
     verdict: Verdict
     reasons: list[str]
     unseen: list[Optimum]  # what may hide where nothing is missing
-    then: list[str]  # to record, where nothing is missing but where movements begin or end
+    then: list[str]  # to record, where no cause of the library is behind it
+    but_ends: bool  # is nothing missing but where movements begin or end?
 
 
 def judge(case: Case, shown: Proof, repeated: float | None, lucky: Chance) -> Judgement:
@@ -71,8 +75,27 @@ def judge(case: Case, shown: Proof, repeated: float | None, lucky: Chance) -> Ju
     if verdict == "mismatch" and (doubts := of_what_is_left(case)):
         verdict, reasons = "cannot_tell", doubts
     movements = found.prepared.problem.movements
+    if verdict != "none" and (own := of_own(case)):
+        return Judgement("cannot_tell", own, unseen, [RELAXED], but_ends=False)
     but_ends = case.best is found.base and reasons == begins_and_ends(movements)
-    return Judgement(verdict, reasons, unseen, what_next(movements) if but_ends else [])
+    then = what_next(movements) if but_ends else []
+    return Judgement(verdict, reasons, unseen, then, but_ends)
+
+
+def of_own(case: Case) -> list[str]:
+    """That a torque of its own in each drop of a leg explains what is missing, and what else does;
+    no cause that acts alike in all drops looks like that.
+    """
+    prepared, best = case.found.prepared, case.best
+    passive = all(each.kind == "passive" for each in prepared.problem.movements)
+    torques = own_torques(case.location) if passive and not prepared.rig else {}
+    if not torques or too_little(prepared) or broken(prepared):
+        return []
+    guessed = guess_of(case.result, case.found, best) is not None
+    said = of_own_torques(torques, float(case.location.inertia or np.nan), guessed=guessed)
+    if best is case.found.base:
+        return [said]
+    return [said, f"{words(names(best))} explains {share(case.found, best)} of it, too"]
 
 
 def of_what_is_left(case: Case) -> list[str]:
