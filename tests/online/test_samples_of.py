@@ -4,10 +4,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.signal import butter, filtfilt
 
 import exoid
 from exoid import online
+from exoid.online.recorded import is_smoothed
+from exoid.recordings.recording import Recording, Segment, Subject
 from fit_cases import DROP, LOADED, recorded
+from reflexes import ADULT, thrown
 
 
 def test_the_segments_of_a_recording_follow_each_other_with_their_masses():
@@ -29,3 +33,15 @@ def test_a_mass_whose_place_nobody_knows_is_refused():
     subject = replace(recording.subject, added_mass_distance=None)
     with pytest.raises(ValueError, match="nobody says where the mass of 1 kg of segment 1 sits"):
         online.samples_of(replace(recording, subject=subject))
+
+
+@pytest.mark.parametrize("rate", [30, 50, 60, 100])
+def test_an_angle_that_was_smoothed_is_told_from_one_that_was_measured(rate):
+    """At 6 Hz, to and fro, as motion capture does; by the camera's own noise it is not."""
+    seen = thrown(ADULT, 0.0, rate)
+    smooth = filtfilt(*butter(2, 6.0, fs=rate), seen.raw_angle)
+    each = [
+        Recording((Segment(seen.time, raw_angle=angle),), Subject(kind="leg"))
+        for angle in (seen.raw_angle, smooth)
+    ]
+    assert list(map(is_smoothed, each)) == [False, True]

@@ -74,6 +74,17 @@ def node_of(recording: Recording) -> Node:
     )
 
 
+def is_smoothed(recording: Recording) -> bool:
+    """Did the angle go through a filter before it came here? Its samples share their errors then,
+    or hardly have any, and a release is blurred: a model that is right looks wrong.
+    """
+    each = [columns_of(one, 0.0) for one in recording.segments]
+    times, angles = ([one[at] for one in each] for at in (0, 1))
+    noise = noise_of(times, angles, recording.sensors.angle_noise, swing=OF_ANGLE)
+    hidden = noise.measured is not None and noise.measured < LEAST[0]
+    return noise.alike_over > 0 or hidden
+
+
 def declared(recording: Recording) -> Node:
     """A node with what the sidecar of a recording says of zero, scale, seat and clock."""
     sensors, seat = recording.sensors, recording.protocol.thigh_angle_uncertainty

@@ -10,7 +10,7 @@ from exoid.cli.inputs.reading import take, tell
 from exoid.cli.live.replay import of_log, of_recording
 from exoid.cli.terminal.say import say
 from exoid.online.model.model import Node
-from exoid.online.recorded import PAUSE, declared, node_of
+from exoid.online.recorded import PAUSE, declared, is_smoothed, node_of
 from exoid.recordings.can.logs.log_files import FORMATS, read_log
 from exoid.recordings.can.node.which import nodes_in
 from exoid.recordings.live.decoding.node_stream import NodeStream
@@ -21,6 +21,12 @@ from exoid.watching.estimate.expect import check_subject
 from exoid.watching.estimate.load import Load, Mass, mass_of
 
 ANOTHER_SEAT = "the seat was tilted in several ways: follow recordings of one seat each."
+
+SMOOTHED = (
+    "its angle was smoothed or interpolated before it came here, which blurs a release: live may "
+    "say of a sound leg that the model does not explain it. Follow what was measured, or read the "
+    "file with exoid fit."
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,6 +60,8 @@ def open_recording(path: Path, body: dict[str, float], node: int | None, **readi
     load, thigh_angle = load_of(recording, factor), thigh_of(recording)
     if not of_node:
         tell_of_pauses(path, len(recording.segments))
+        if is_smoothed(recording):
+            say(f"exoid: {path.name}: {SMOOTHED}", err=True)
         return Opened(
             recording.subject,
             load,
