@@ -12,7 +12,8 @@ from exoid.recordings.recording import Recording, Segment, Subject
 from exoid.watching.estimate.expect import expected_of
 from exoid.watching.estimate.leg import Leg, LegDrop, Person
 from exoid.watching.estimate.load import Load
-from reflexes import ADULT, thrown
+from hands import Knee
+from reflexes import ADULT, stretched, thrown
 
 SUBJECT = Subject(kind="leg", body_mass=77.0, height=1.80)
 TICK = 1e-3  # s, of what is simulated
@@ -87,6 +88,20 @@ def test_a_reflex_that_no_gyro_sees_is_not_explained_either(strength):
     assert last.trust is online.Trust.UNEXPLAINED
     _, relaxed = followed([thrown(ADULT, 0.0, 100)])
     assert relaxed.trust is online.Trust.GOOD
+
+
+def test_one_slow_drop_does_not_explain_a_leg_whose_reflex_a_fast_one_tripped():
+    def drop(start, gain):
+        swings = stretched(Knee(26.2, 3.8, 1.77), start, gain, 1.7, 0.075)
+        angle = np.concatenate([np.full(round(1 / TICK), start), swings])
+        return measured(np.stack([angle, np.gradient(angle, TICK)]), 50, 0.15, gyro=False)
+
+    fast, slow = drop(-0.52, 1.6), drop(-0.72, 0.4)
+    drops, last = followed([fast, slow])
+    assert len(drops) == 1
+    assert last.trust is online.Trust.UNEXPLAINED
+    _, recovered = followed([fast, slow, slow])
+    assert recovered.believed
 
 
 @pytest.mark.parametrize(("rate", "lasting"), [(100, 1.2), (30, 0.8), (25, 0.8), (25, 1.2)])

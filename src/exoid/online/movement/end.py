@@ -55,7 +55,7 @@ def closed(belief: Knowledge, gone, failing, cut, torn) -> Knowledge:
             belief.verdict,
             drops=belief.verdict.drops + counts,
             changed=belief.verdict.changed & ~counts,
-            unexplained=belief.verdict.unexplained & ~counts,
+            unexplained=belief.verdict.unexplained & ~(counts & (belief.verdict.drops > 0)),
             suspected=jnp.where(failing | cut & ~torn, course.turns + SWUNG, NEVER),
         ),
     )
