@@ -1,5 +1,6 @@
 """Fits of the bundled example, of blind cases and of measured motions, replayed by MuJoCo."""
 
+from dataclasses import dataclass
 from importlib.resources import files
 
 import jax
@@ -7,7 +8,8 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 from engine import play
-from joints import TERMS, run, usual
+from joints import FLOOR, TERMS, run, usual
+from scipy.integrate import solve_ivp
 from test_mjcf import ABRUPT, FINER, HELD
 
 import exoid
@@ -16,15 +18,16 @@ from exoid.physics.leg import LegModel
 from exoid.physics.term import PhysicsTerm
 from exoid.physics.terms.device.hard_stop import HardStop
 from exoid.physics.torque import NoTorque
+from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 from fit_cases import BODY, CYCLE, DROP, leg
 
 PART = 0.1  # of a noise floor: no recording shows it
+MISSED = 0.01  # of what a fit misses: where it does not follow, noise is no measure of it
 STRUCK = 0.5  # of one: when a stop's damper sets in is known to a step of either integrator
 LEAST = 1e-6  # rad, or m: what two integrators agree in where a recording has next to no noise
-SAME = 1e-9  # rad: the order of additions
-DRAWN = 0.01  # of a floor: a measured torque of few samples is a curve to a fit, a line to a script
+SAME = 1e-8  # rad: the order of additions, and twelve digits of a measured torque
 STOP = HardStop(*map(jnp.asarray, (0.03, 1.2, -1.6, 0.3)))  # that the wide drop runs against
 QUICK = ("concealed/p0582c.csv", "real/knee-drop.csv")
 
@@ -32,14 +35,55 @@ QUICK = ("concealed/p0582c.csv", "real/knee-drop.csv")
 def check_replays(result: exoid.FitResult) -> None:
     """Every segment, by MuJoCo and by the script."""
     for number, segment in enumerate(result.segments):
-        joint, close = gather(result, number), max(PART * segment.angle_noise, LEAST)
+        joint, missed = gather(result, number), MISSED * segment.angle_rmse
+        close = max(PART * segment.angle_noise, missed, LEAST)
         shown = segment.simulated_angle - joint.sensing.zero
         engine = play(exoid.export(result, "mjcf", segment=number).text, joint.times)
         assert np.abs(engine[:, 2] - shown).max() < close, segment.name
         script = run(exoid.export(result, "python", segment=number).text)
         motion = script["simulate"](joint.times)
-        same = DRAWN * segment.angle_noise if segment.kind == "measured" else SAME
-        assert np.abs(motion[:, 3] - segment.simulated_angle).max() < same, segment.name
+        assert np.abs(motion[:, 3] - segment.simulated_angle).max() < SAME, segment.name
+
+
+@dataclass(frozen=True)
+class Driven:
+    """A pendulum on a spring and a motor of known torque, moved by SciPy."""
+
+    time: np.ndarray  # s
+    inertia: float = 0.2  # kg m^2
+    spring: float = 0.5  # N m/rad
+    quick: float = 2.0  # Hz, the faster of the torque's two tones
+
+    def torque(self, time):
+        slow, quick = 2 * np.pi * 0.5, 2 * np.pi * self.quick
+        return np.sin(slow * time) + 0.6 * np.sin(quick * time + 1)
+
+    def slope(self, time, state):
+        angle, rate = state
+        held = 2.0 * np.cos(angle) + self.spring * angle + 0.2 * rate
+        return rate, (self.torque(time) - held) / self.inertia
+
+    def recorded(self) -> Recording:
+        span = (0.0, self.time[-1])
+        moved = solve_ivp(self.slope, span, (-1.4, 0.0), t_eval=self.time, rtol=1e-9, atol=1e-11)
+        seen = moved.y[0] + FLOOR * np.random.default_rng(0).standard_normal(self.time.size)
+        segment = Segment(self.time, raw_angle=seen, applied_torque=self.torque(self.time))
+        sensors = Sensors(angle_noise=FLOOR)
+        return Recording((segment,), Subject(kind="rig"), Protocol(kind="measured"), sensors)
+
+
+EVEN = np.arange(0.0, 8.0, 0.02)
+RIGS = {
+    "seven samples of a torque's period": Driven(np.arange(0.0, 12.0, 1 / 15)),
+    "a gap of 0.3 s": Driven(EVEN[(EVEN < 4) | (EVEN > 4.3)]),
+    "ten samples of an oscillation": Driven(np.arange(0.0, 8.0, 0.01), 0.02, 70.0, 9.0),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", RIGS)
+def test_a_measured_torque_drives_an_exported_rig_as_it_drove_the_fit(name):
+    check_replays(exoid.fit(RIGS[name].recorded(), multistart=2))
 
 
 def test_the_bundled_example_is_replayed_drops_and_cycles():

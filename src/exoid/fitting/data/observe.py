@@ -136,18 +136,27 @@ def cycle_torque(time: Samples, each: Movement, reading: str) -> Samples:
 
 
 def measured_torque(time: Samples, each: Movement) -> Samples:
-    """The torque that was measured [N m], linear between its samples.
+    """The torque that was measured [N m]."""
+    torque, own = each.segment.applied_torque, each.segment.time
+    if each.kind != "measured" or torque is None:
+        return np.zeros_like(time)
+    return between(time, own, interpolated(own, torque))
+
+
+def between(time: Samples, own: Samples, torque: Samples) -> Samples:
+    """A torque at `time` from its samples at their `own`, linear between these.
 
     Where these are few for it and it is smooth, a spline of order five: a line loses
     (omega h)^2 / 12 of what has the frequency omega, 13 % at five samples a period.
     """
-    torque, own = each.segment.applied_torque, each.segment.time
-    if each.kind != "measured" or torque is None:
-        return np.zeros_like(time)
-    known = interpolated(own, torque)
-    if lost_by_lines(known) > LITTLE and is_smooth(known):
-        return make_interp_spline(own, known, k=SPLINE)(np.minimum(time, own[-1]))
-    return np.interp(time, own, known)
+    if is_curved(torque):
+        return make_interp_spline(own, torque, k=SPLINE)(np.minimum(time, own[-1]))
+    return np.interp(time, own, torque)
+
+
+def is_curved(torque: Samples) -> bool:
+    """Is more lost by lines between its samples than a curve through them makes up?"""
+    return lost_by_lines(torque) > LITTLE and is_smooth(torque)
 
 
 def lost_by_lines(samples: Samples) -> float:

@@ -32,3 +32,4 @@ class Conditions:
     frequency: Annotated[float, "Hz"]
     onset: Annotated[float, "s"]
     torque: Annotated[Float[np.ndarray, " sample"] | None, "N m"] = None  # that was measured
+    finer: int = 1  # parts of a step, in which what is quick or sticks is simulated

@@ -45,4 +45,5 @@ def find_conditions(problem: Problem, ended: SearchResult, number: int) -> Condi
         frequency=clock_of("frequency"),
         onset=clock_of("onset"),
         torque=None if measured is None else interpolated(each.segment.time, measured),
+        finer=seen.parts,
     )

@@ -48,6 +48,7 @@ def python(joint: Joint) -> Exported:
             more=in_docstring(f"{added}{''.join(map(explained, joint.parts))}"),
             constants="\n".join(constants(joint)),
             times=f"{float(joint.times[0])!r}, {float(joint.times[-1])!r}, {interval(joint)!r}",
+            longest=repr(joint.longest_step),
             pieces=pieces(joint),
             begun=f"{joint.angle!r}, {joint.rate!r}",
             memory=remembered(joint.parts),
@@ -70,11 +71,11 @@ def interval(joint: Joint) -> float:
 
 
 def pieces(joint: Joint) -> int:
-    """Steps in an interval: as many as the fastest term asks for, and more for contacts."""
+    """Pieces of a step: as many as the fastest term asks for, and more for contacts."""
     terms = [each.term for each in joint.parts]
     finer = UNFORESEEN if any(strikes(type(each)) for each in terms) else 1
     turning = parts_to_turn(interval(joint)) if any(holds(type(each)) for each in terms) else 1
-    return finer * max([turning, *(each.substeps for each in terms)])
+    return finer * max([joint.finer, turning, *(each.substeps for each in terms)])
 
 
 def remembered(parts: Iterable[Part]) -> list[float]:

@@ -17,7 +17,8 @@ import numpy as np
 {constants}
 
 FIRST, LAST, INTERVAL = {times}  # s, of the recording's samples
-PIECES = {pieces}  # steps in an interval
+LONGEST = {longest}  # s, of a step
+PIECES = {pieces}  # of a step
 ANGLE, RATE = {begun}  # rad and rad/s, where it begins
 MEMORY = {memory}  # what the terms remember there
 
@@ -91,9 +92,16 @@ def step(time, size, state, begin, middle, end):
 
 
 def drawn(pushes, at):
-    """The torque at a fraction of an interval, through its begin, middle and end."""
+    """The torque at a fraction of a step, through its begin, middle and end."""
     begin, middle, end = pushes
     return (1 - at) * (1 - 2 * at) * begin + 4 * at * (1 - at) * middle + at * (2 * at - 1) * end
+
+
+def steps(begin, end):
+    """Where the steps from one sample to the next begin, and how long they are [s]."""
+    count = max(int(np.ceil((end - begin) / LONGEST - 1e-6)), 1)
+    size = (end - begin) / count
+    return [(begin + number * size, size) for number in range(count)]
 
 
 def simulate(times=None):
@@ -106,11 +114,11 @@ def simulate(times=None):
         rows.append([time, state[0], state[1], *seen])
         if number + 1 == len(times):
             break
-        size = times[number + 1] - time
-        pushes = drive(time), drive(time + size / 2), drive(time + size)
-        for piece in range(PIECES):
-            thirds = [drawn(pushes, (piece + part) / PIECES) for part in (0.0, 0.5, 1.0)]
-            state = step(time + piece / PIECES * size, size / PIECES, state, *thirds)
+        for begin, size in steps(time, times[number + 1]):
+            pushes = drive(begin), drive(begin + size / 2), drive(begin + size)
+            for piece in range(PIECES):
+                thirds = [drawn(pushes, (piece + part) / PIECES) for part in (0.0, 0.5, 1.0)]
+                state = step(begin + piece / PIECES * size, size / PIECES, state, *thirds)
     return np.array(rows)
 
 

@@ -11,10 +11,8 @@ from exoid.interchange.model.joint import Joint
 from exoid.physics.motion.step import parabola
 from exoid.physics.torque import MeasuredTorque
 
-SMOOTH, SHARP = 4, 64  # numbers of a sample's step: where it hardly bends, and where it jumps
-BEND = (
-    1e-3  # of the largest torque, by which the middle of a step that hardly bends is off its line
-)
+OFF = 1e-4  # of the largest torque, by which straight lines may be off the fit's own
+MOST = 64  # lines of a step, where the torque jumps
 
 
 class Drive(NamedTuple):
@@ -25,11 +23,12 @@ class Drive(NamedTuple):
 
 
 def drive_over_time(joint: Joint, more: Iterable[Expression] = ()) -> Drive:
-    """As the fit had it: through its value at the begin, middle and end of every sample's step.
+    """As the fit had it: through its value at the begin, middle and end of every step.
 
     `more` are torques of terms, of which what hangs on time alone is a part of it.
     """
-    begin, size = joint.times[:-1], np.diff(joint.times)
+    edges = joint.edges
+    begin, size = edges[:-1], np.diff(edges)
     timed = [each for each in more if "time" in each.symbols]
 
     def torque(time: np.ndarray) -> np.ndarray:
@@ -41,11 +40,23 @@ def drive_over_time(joint: Joint, more: Iterable[Expression] = ()) -> Drive:
         return known
 
     first, middle, last = torque(begin), torque(begin + size / 2), torque(begin + size)
-    bends = np.abs(first - 2 * middle + last) > BEND * np.abs(middle).max(initial=0.0)
+    bends = first - 2 * middle + last
+    counts = lines(bends, OFF * np.abs([first, middle, last]).max(initial=0.0))
+    above = bends / (3 * counts**2)  # of a parabola, in the mean, are lines from it to it
+    shared = np.append(above[:1], above[:-1])
     times, torques = [], []
-    for at, parts in enumerate(np.where(bends, SHARP, SMOOTH)):
-        inside = np.arange(parts) / parts
+    for at, count in enumerate(counts):
+        inside = np.arange(count) / count
+        off = np.append((shared[at] + above[at]) / 2, np.full(count - 1, above[at]))
         times.append(begin[at] + inside * size[at])
-        torques.append(parabola(first[at], middle[at], last[at], inside))
-    time = np.append(np.hstack(times), joint.times[-1])
-    return Drive(time, np.append(np.hstack(torques), last[-1]))
+        torques.append(parabola(first[at], middle[at], last[at], inside) - off)
+    time = np.append(np.hstack(times), edges[-1])
+    return Drive(time, np.append(np.hstack(torques), last[-1] - above[-1]))
+
+
+def lines(bends: np.ndarray, off: float) -> np.ndarray:
+    """How many straight lines stay within `off` of each parabola, whose begin and end, less twice
+    its middle, `bends` are: a line is off by half of that, n lines by 1 / n^2 of it.
+    """
+    wanted = np.sqrt(np.abs(bends) / (2 * off)) if off else np.ones_like(bends)
+    return np.clip(np.ceil(wanted), 1, MOST).astype(int)

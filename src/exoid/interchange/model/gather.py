@@ -6,6 +6,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from exoid.files.visible import visible
+from exoid.fitting.data.observe import between, is_curved, with_gaps_bridged
 from exoid.fitting.model.term_parameters import term_of
 from exoid.fitting.result.conditions import Conditions
 from exoid.fitting.result.fit_result import FitResult, SegmentFit
@@ -68,6 +69,7 @@ def gather(result: FitResult, segment: int | None) -> Joint:
         number=begun.number,
         times=np.asarray(each.time) * clock,
         clock=clock,
+        finer=begun.finer,
         sensing=sensing(each, begun),
         reach=reach(result),
         astray=result.astray,
@@ -118,11 +120,24 @@ def loaded(leg: LegParameters, begun: Conditions) -> LegParameters:
 def driving(each: SegmentFit, begun: Conditions, clock: float) -> Torque:
     """What drove the segment."""
     if begun.torque is not None:
-        return MeasuredTorque(jnp.asarray(each.time * clock), jnp.asarray(begun.torque))
+        return measured(np.asarray(each.time), np.asarray(begun.torque), clock)
     if begun.amplitude == 0.0:
         return NoTorque()
     period, frequency, onset = begun.period * clock, begun.frequency / clock, begun.onset * clock
     return CycleTorque(*map(jnp.asarray, (begun.amplitude, period, frequency, onset)))
+
+
+def measured(time: np.ndarray, torque: np.ndarray, clock: float) -> MeasuredTorque:
+    """A torque that was measured; of a curve between its samples, the fit saw the middle of every
+    step, too.
+    """
+    at = with_middles(with_gaps_bridged(time)) if is_curved(torque) else time
+    return MeasuredTorque(jnp.asarray(at * clock), jnp.asarray(between(at, time, torque)))
+
+
+def with_middles(edges: np.ndarray) -> np.ndarray:
+    """Where steps begin and end, and their middles."""
+    return np.sort(np.append(edges, (edges[:-1] + edges[1:]) / 2))
 
 
 def by_clock(term: Term, clock: float) -> Term:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
+from exoid.fitting.data.observe import LONGEST_STEP, with_gaps_bridged
 from exoid.interchange.formula.expression import ZERO, Expression
 from exoid.physics.term import Term
 from exoid.physics.torque import Torque
@@ -113,6 +114,7 @@ class Joint:
     times: Float[np.ndarray, " time"]  # s, of the fitted samples
     clock: float  # true seconds in a recorded one
     sensing: Sensing
+    finer: int = 1  # parts of a step, in which the fit simulated it
     reach: tuple[float, float] = (-2.0, 0.0)  # rad, between which the fitted motion went
     astray: str | None = None
 
@@ -133,6 +135,16 @@ class Joint:
         drive = STILL | {each.name: each.value for each in self.drive_numbers}
         seat = {"thigh_angle": self.thigh_angle, "number": float(self.number)}
         return leg | over | seat | drive | terms
+
+    @property
+    def longest_step(self) -> float:
+        """Of the fit [s]: samples that are farther apart are bridged by several."""
+        return LONGEST_STEP * self.clock
+
+    @property
+    def edges(self) -> Float[np.ndarray, " edge"]:
+        """Where the fit's steps begin and end [s]."""
+        return with_gaps_bridged(self.times / self.clock) * self.clock
 
     @property
     def driven(self) -> bool:
