@@ -11,6 +11,8 @@ from command_line import refusal
 from sessions import DROP, LEG, SUBJECT, session
 
 from exoid.cli.commands import plan
+from exoid.physics.terms.device.backlash import Backlash
+from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.splitting.split import split
 from exoid.twin.motion import Movement
@@ -80,6 +82,15 @@ def test_rivals_that_cannot_be_told_apart_are_refused(command, recordings):
     assert "leave --goal" in refusal(both)
 
 
+def test_sets_are_told_apart_as_they_are_named():
+    rivals, _ = plan.asked("backlash, backlash+coulomb_friction", None, None, (), None)
+    assert rivals == ((Backlash,), (Backlash, CoulombFriction))
+    with pytest.raises(ValueError, match=r"coulomb_friction\+backlash: it was said before"):
+        plan.asked("backlash+coulomb_friction,coulomb_friction+backlash", None, None, (), None)
+    with pytest.raises(ValueError, match="two terms or more, with commas"):
+        plan.asked("backlash+coulomb_friction", None, None, (), None)
+
+
 def test_terms_of_ones_own_are_asked_for_by_name(command, recordings, tmp_path):
     mine = tmp_path / "mine.py"
     mine.write_text("from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag\n"
@@ -92,7 +103,7 @@ def test_terms_of_ones_own_are_asked_for_by_name(command, recordings, tmp_path):
 def test_what_a_diagnosis_suspects_is_told_apart_by_default(monkeypatch):
     monkeypatch.setattr(plan, "suspected_in", lambda model, own: ["coulomb_friction", "backlash"])
     rivals, chosen = plan.asked(None, None, None, (), Path("why.nc"))
-    assert ([each.__name__ for each in rivals], chosen) == (["CoulombFriction", "Backlash"], ())
+    assert (rivals, chosen) == (((CoulombFriction,), (Backlash,)), ())
     # A goal is asked of the model that was saved.
     monkeypatch.setattr(plan, "saved_model", lambda model, own: Mock(terms=()))
     assert plan.asked(None, plan.INERTIA, None, (), Path("why.nc")) == ((), ())

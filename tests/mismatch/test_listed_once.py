@@ -64,6 +64,14 @@ def test_no_plan_is_asked_to_tell_what_pushes_alike_from_each_other():
     assert rivals_in(SimpleNamespace(suspected=suspected)) == [names[0], names[2]]
 
 
+def test_sets_compete_with_single_causes_each_once_however_they_push_alike():
+    each = (["cubic_stiffness"], ["torque_bias", "hysteresis"], ["saturating_damping", "backlash"])
+    again = ["hysteresis", "stiffness_rest_angle"]
+    suspected = [Suspect(names, []) for names in (*each, again)]
+    asked = rivals_in(SimpleNamespace(suspected=suspected))
+    assert asked == ["cubic_stiffness", "torque_bias+hysteresis"]
+
+
 def test_nothing_is_to_be_recorded_to_tell_what_pushes_alike_from_each_other():
     each = [explaining(1000.0, term) for term in (StiffnessRestAngle, TorqueBias, CubicStiffness)]
     (said,) = advice(each[:2], "mismatch", None, segments=1)

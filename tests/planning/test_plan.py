@@ -9,13 +9,18 @@ import pytest
 from rich.console import Console
 
 from exoid.fitting.estimate import fit
-from exoid.fitting.model.coordinates import quantity_names
+from exoid.fitting.model.coordinates import TYPICAL, quantity_names
+from exoid.fitting.model.systematics import OF_THE_MASS, in_common
 from exoid.physics.leg import LegModel
 from exoid.physics.torque import NoTorque
+from exoid.planning.candidate_recordings import moving
+from exoid.planning.expected_information import Design, informations
+from exoid.planning.next_mountings import beliefs, next_of
 from exoid.planning.plan import plan
-from exoid.planning.prior_knowledge import eliminated
+from exoid.planning.planned import Candidate
+from exoid.planning.prior_knowledge import eliminated, from_result
 from exoid.recordings.recording import Subject
-from exoid.report.tables.plan import print_plan
+from exoid.report.tables.plan import as_good, in_one_row, print_plan
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 from fit_cases import BODY, DROP, LOADED, leg, recorded
@@ -112,9 +117,53 @@ def test_a_first_plan_lists_what_it_proposes_and_has_nothing_to_be_fitted_with()
     found = plan(None, BODY, "inertia")
     console = Console(width=80, file=StringIO())
     print_plan(found, console, first=True)
-    steps, _, options = console.file.getvalue().partition("One segment more")
+    steps, _, options = " ".join(console.file.getvalue().split()).partition("One segment more")
     assert all(each.words in options for each in found.proposed)
     assert "OLD" not in steps
+
+
+def test_segments_that_are_as_good_to_two_digits_are_one_row_of_what_is_proposed_or_simplest():
+    bare, loaded = (replace(DROP, added_mass=mass) for mass in (0.0, 1.0))
+    tilted, simple = Candidate("tilted", bare, 0.3), Candidate("bare", bare)
+    heavy, other = Candidate("heavy", loaded), Candidate("light", loaded)
+    each = [(tilted, "0.042"), (heavy, "0.042"), (simple, "0.042"), (other, "0.043")]
+    first, last = as_good(each).values()
+    assert in_one_row(first) == "bare, or 2 others as good"
+    assert in_one_row(first, [heavy]) == "heavy, or 2 others as good"
+    assert in_one_row(first, [heavy, tilted]) == "tilted or heavy, or 1 other as good"
+    assert in_one_row(last) == "light"
+
+
+def test_what_the_next_recording_has_in_common_with_the_first_is_believed_of_both(bare):
+    """As a fit of both believes it: W'W of all, less that of what is at hand."""
+    _, result = bare
+    known, drop = from_result(result), Candidate("again", LONG)
+    rows = beliefs(known, [drop], [drop], [0.0])
+    second = replace(known.movements[0], recording=1)
+    both = in_common([*known.movements, second], known.owned)
+    for number, name in enumerate(known.owned):
+        if name in OF_THE_MASS:
+            continue  # there is none
+        (sd,) = known.mountings[name] / getattr(TYPICAL.mounting, name)
+        row = rows[number, [number, len(known.owned) + number]] * sd
+        np.testing.assert_allclose(row, getattr(both, name)[1], rtol=1e-12)
+    shared = {name for number, name in enumerate(known.owned) if rows[number, number] < 0}
+    assert shared == {"zero", "tilt", "gyro_scale", "clock"}  # a bias drifts; no mass was on it
+
+
+def test_what_was_off_once_is_off_again(bare):
+    """A next recording of another session tells more than one that shares its seat and sensors."""
+    known = from_result(bare[1])
+    apart = replace(known, movements=tuple(replace(e, session="x") for e in known.movements))
+    drop = Candidate("again", replace(LONG, start_angle=np.radians(-40)))
+    told = informations(known, moving([drop], known))
+    elsewhere = [replace(each, session="y") for each in next_of(apart, [drop], [0.0])]
+    goal = "gravity_over_inertia"
+    together = Design(known, goal, told).error([drop])
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("exoid.planning.next_mountings.next_of", lambda *_: elsewhere)
+        anew = Design(apart, goal, told).error([drop])
+    assert anew < 0.9 * together
 
 
 @pytest.mark.proof

@@ -13,8 +13,8 @@ from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
 from exoid.physics.torque import NoTorque
 from exoid.planning.candidate_recordings import drops_of_rig
-from exoid.planning.expected_information import mounting_prior
 from exoid.planning.expected_odds import DECISIVE, RivalFit, probability, steps_to_limits
+from exoid.planning.next_mountings import deviations_of_next
 from exoid.planning.plan_between import plan_between
 from exoid.planning.planned import Candidate
 from exoid.planning.prior_knowledge import from_anatomy
@@ -58,7 +58,8 @@ def test_log_odds_are_half_of_what_the_rival_cannot_follow():
     found = RivalFit(rival, {option: rows.T @ rows})
     belief = np.zeros((size + owned, size + owned))
     belief[:size, :size] = found.start[:size, :size]
-    belief[size:, size:] = np.diag(mounting_prior(rival, [option]))
+    deviations = list(deviations_of_next(rival, [option]).values())
+    belief[size:, size:] = np.diag(np.power(deviations, -2.0))
     room = np.delete(rows, size, axis=1)
     expected = following(rows[:, size], room, belief)
     assert found.log_odds([option]) == pytest.approx(expected, rel=1e-6)

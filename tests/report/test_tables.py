@@ -22,7 +22,7 @@ from exoid.report.tables.comparison import quantities
 from exoid.report.tables.diagnosis import suspects
 from exoid.report.tables.leg import before_and_after, in_print, parameters, ratios, segments
 from exoid.report.tables.table import Column, Table, print_table
-from exoid.report.words.text import told_apart, with_error
+from exoid.report.words.text import with_error
 from exoid.report.words.typeset import formula, tidy
 
 ROOMY = 200  # letters
@@ -144,12 +144,6 @@ def test_what_a_slack_angle_leaves_open_stands_beside_every_number_that_goes_wit
         assert "if slack" in printed(table_of_it)
     assert "± 4" in printed(parameters({"angle": in_print(angle)}))
     assert "if slack" not in printed(parameters({"mass": replace(inertia, if_slack=None)}))
-
-
-def test_options_that_differ_do_not_look_alike():
-    assert told_apart([0.00498, 0.00502, 0.0131]) == ["0.00498", "0.00502", "0.0131"]
-    assert told_apart([0.0050, 0.0061]) == ["0.0050", "0.0061"]
-    assert told_apart([20.0, 20.0, 31.0]) == ["20", "20", "31"]
 
 
 def test_angles_and_rates_are_compared_in_degrees():

@@ -1,11 +1,11 @@
 """What a recording that could be made would leave of an error: Fisher information adds.
 
 What is known, a candidate's (its exact sensitivities along the motion it would have) and the
-prior's sum up to that of the joint fit, in which the new recording has a mounting of its own
-(Atkinson, Donev & Tobias, Optimum Experimental Designs, 2007).
+prior's sum up to that of the joint fit (Atkinson, Donev & Tobias, Optimum Experimental Designs,
+2007).
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from itertools import combinations_with_replacement
@@ -18,18 +18,12 @@ from exoid.fitting.misfit.gram import CAUSES, Cause
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.neighbourhood import columns
 from exoid.fitting.misfit.uncertainty import Information
-from exoid.fitting.model.coordinates import (
-    TYPICAL,
-    Coordinates,
-    SegmentUnknowns,
-    Shared,
-    quantities,
-)
-from exoid.fitting.model.systematics import SOMEWHERE
+from exoid.fitting.model.coordinates import Coordinates, SegmentUnknowns, Shared, quantities
 from exoid.fitting.multistart.starts import first_state, usual_mounting
 from exoid.fitting.solve.ask import grams_in, sensed
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
+from exoid.planning.next_mountings import with_recordings
 from exoid.planning.planned import Candidate
 from exoid.planning.prior_knowledge import PriorKnowledge, eliminated
 
@@ -91,21 +85,6 @@ def without_own(segment: np.ndarray, known: PriorKnowledge) -> np.ndarray:
     return np.insert(np.insert(both, leg, 0.0, axis=0), leg, 0.0, axis=1)
 
 
-def with_recordings(
-    start: np.ndarray,
-    known: PriorKnowledge,
-    told: dict[Candidate, np.ndarray],
-    chosen: Sequence[Candidate],
-) -> np.ndarray:
-    """The information `start` and that of these candidates, a recording for every seat."""
-    size, total = len(start), start
-    mounting = np.diag(np.append(np.zeros(size), mounting_prior(known, told)))
-    for seat in {each.thigh_angle for each in chosen}:
-        own = sum(told[each] for each in chosen if each.thigh_angle == seat)
-        total = total + eliminated(mounting + own, size)
-    return total
-
-
 @dataclass(frozen=True, eq=False)
 class Design:
     """What any set of candidates would leave of the goal's error."""
@@ -118,14 +97,9 @@ class Design:
     def value(self) -> float:
         return float(quantities(self.known.point, np)[self.known.quantities.index(self.goal)])
 
-    @cached_property
-    def start(self) -> np.ndarray:
-        """What data and prior tell of the leg."""
-        return self.known.information + self.known.prior
-
     def error(self, chosen: Sequence[Candidate]) -> float:
         """The standard error of the goal with these candidates."""
-        total = with_recordings(self.start, self.known, self.told, chosen)
+        total = with_recordings(self.known.prior, self.known, self.told, chosen)
         gradient = self.known.gradients[self.known.quantities.index(self.goal)]
         information = Information(total, np.zeros_like(total), self.known.fixed)
         return information.standard_error(gradient)
@@ -178,12 +152,3 @@ class Design:
 def carried(segments: list[Candidate]) -> float:
     """The masses on the leg, in all segments together [kg]."""
     return sum(each.motion.added_mass for each in segments)
-
-
-def mounting_prior(known: PriorKnowledge, options: Iterable[Candidate]) -> np.ndarray:
-    """What is believed of a new mounting: the mass sits where the candidates have it, by tape."""
-    distance = max((option.motion.added_mass_distance for option in options), default=0.0)
-    placed = known.systematics.distance / (distance or SOMEWHERE)
-    each = {name: getattr(known.systematics, name, placed) for name in known.owned}
-    sizes = {name: float(getattr(TYPICAL.mounting, name)) for name in known.owned}
-    return np.array([(sizes[name] / (each[name] or sizes[name])) ** 2 for name in known.owned])

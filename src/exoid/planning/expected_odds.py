@@ -22,7 +22,8 @@ from exoid.fitting.misfit.uncertainty import VAGUE
 from exoid.fitting.model.coordinates import flattened, scaled
 from exoid.fitting.model.term_parameters import over_inertia
 from exoid.fitting.solve.ask import sensed
-from exoid.planning.expected_information import posed, with_recordings, without_own
+from exoid.planning.expected_information import posed, without_own
+from exoid.planning.next_mountings import with_recordings
 from exoid.planning.planned import Candidate
 from exoid.planning.prior_knowledge import PriorKnowledge
 
@@ -39,8 +40,8 @@ class RivalFit:
 
     @cached_property
     def start(self) -> np.ndarray:
-        """What the rival knows before; the misfit comes behind the coordinates."""
-        known = self.rival.information + self.rival.prior
+        """What the rival believes before; the misfit comes behind the coordinates."""
+        known = self.rival.prior
         return np.pad(known + VAGUE * np.eye(len(known)), (0, 1))
 
     @cached_property

@@ -1,6 +1,6 @@
 """What is known of a leg before the next recording: from a fit, or from anatomy alone."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import jax
@@ -8,6 +8,7 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Float
 
+from exoid.fitting.data.movement import Movement
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import prior_information, quantity_gradients
 from exoid.fitting.model.assumptions import Assumptions
@@ -41,11 +42,12 @@ NOTHING = Mounting(*[np.zeros(0)] * len(OWNED))
 
 @dataclass(frozen=True, eq=False)
 class PriorKnowledge:
-    """A leg and the information on it, every recording's own unknowns eliminated."""
+    """A leg and the information on it, every segment's own unknowns eliminated."""
 
     shared: Shared
     log_mass: Float[Any, ""]
-    information: Float[np.ndarray, "known known"]  # of the data, on the coordinates of `point`
+    # of the data, on the coordinates of `point`, and on `mountings` with what is believed of them
+    information: Float[np.ndarray, "known known"]
     belief: Belief
     systematics: Systematics  # how well what is declared will be known
     disturbance: Disturbance | None  # what the model misses; it will in the next recording too
@@ -54,6 +56,9 @@ class PriorKnowledge:
     torque: float  # N m, amplitude of voluntary cycles; 0 where none is known
     terms: tuple[Term, ...]  # of the model, as `Coordinates` has them
     checked: bool  # do several movements rest on no form of a torque, one against the other
+    movements: tuple[Movement, ...] = ()  # that were recorded
+    # by its name, what was believed of it in every recording: one standard deviation
+    mountings: dict[str, Float[np.ndarray, " recording"]] = field(default_factory=dict)
 
     @property
     def point(self) -> Coordinates:
@@ -140,11 +145,12 @@ def from_result(result: FitResult) -> PriorKnowledge:
     first = basis.problem.movements[0]
     gyro = first.angular_velocity is not None
     numbers = unflattened(np.arange(flattened(best).size), best)
-    kept = np.array(jax.tree.leaves((numbers.shared, numbers.log_mass, numbers.terms)), dtype=int)
-    others = np.setdiff1d(np.arange(flattened(best).size), kept)
+    leg = flattened((numbers.shared, numbers.log_mass, numbers.terms)).astype(int)
+    kept = np.append(leg, flattened(numbers.mounting)).astype(int)
+    others = np.setdiff1d(np.arange(flattened(best).size), leg)
     own = local.data.copy()
     own[np.ix_(others, others)] += local.prior[np.ix_(others, others)]  # of the mountings
-    order = np.append(kept, others)
+    order = np.append(kept, np.setdiff1d(others, kept))
     ratio = result.ratios.get("torque_over_inertia")
     return PriorKnowledge(
         shared=best.shared,
@@ -160,6 +166,12 @@ def from_result(result: FitResult) -> PriorKnowledge:
         terms=best.terms,
         torque=(ratio.value or 0.0) * float(np.exp(best.shared.log_inertia)) if ratio else 0.0,
         checked=sum(not each.voluntary for each in basis.problem.movements) > 1,
+        movements=tuple(basis.problem.movements),
+        mountings={
+            name: basis.problem.deviation_of(name)
+            for name in OWNED
+            if getattr(best.mounting, name).size
+        },
     )
 
 

@@ -178,7 +178,7 @@ def tell_apart(named, subject, rivals: tuple, options: dict, json: Path | None) 
     from exoid.report.tables.plan_between import contrast_document, print_contrast
 
     def work():
-        fits = [compute(named, False, {**options, "terms": (term,)}) for term in rivals]
+        fits = [compute(named, False, {**options, "terms": rival}) for rival in rivals]
         return fits, plan_between(fits, subject)
 
     fits, found = patiently(work, "planning; the first run of a new shape compiles for a minute")

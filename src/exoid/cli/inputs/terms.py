@@ -30,7 +30,9 @@ OwnTerms = Annotated[
 Between = Annotated[
     str | None,
     typer.Option(
-        help="Rival causes to tell apart, such as coulomb_friction,hysteresis.", metavar="TERMS"
+        help="Rival causes to tell apart, such as coulomb_friction,hysteresis; what acts together "
+        "with a + between, as hysteresis,coulomb_friction+cubic_stiffness.",
+        metavar="TERMS",
     ),
 ]
 Model = Annotated[
@@ -114,15 +116,18 @@ def terms_asked(
     return tuple(found.values())
 
 
-def rivals_asked(between: str, own: tuple) -> tuple[Any, ...]:
-    """The terms between which to tell.
+def rivals_asked(between: str, own: tuple) -> tuple[tuple[Any, ...], ...]:
+    """The terms between which to tell, or the sets of terms.
 
-    **Raises** `ValueError` where a name is none, or there are no two.
+    **Raises** `ValueError` where a name is none, there are no two, or one is said twice.
     """
     words = [word.strip() for word in between.split(",") if word.strip()]
-    found = terms_asked(words, own, option="--between")
+    found = tuple(terms_asked(word.split("+"), own, option="--between") for word in words)
     if len(found) < 2:
         raise ValueError(f"--between {between}: name two terms or more, with commas between.")
+    for number, word in enumerate(words):
+        if set(found[number]) in map(set, found[:number]):
+            raise ValueError(f"--between {word}: it was said before. Say it once.")
     return found
 
 
@@ -192,20 +197,21 @@ def suspected_in(model: Path, own: tuple) -> list[str]:
 
 
 def rivals_in(found) -> list[str]:
-    """The single causes of a name that a diagnosis suspects, as --between takes them; of those that
-    push alike whatever is recorded the first.
+    """The causes of a name that a diagnosis suspects, alone or in sets, as --between takes them; of
+    those that push alike whatever is recorded the first.
     """
     from exoid.mismatch.novel.nameless import NAMELESS
     from exoid.physics.library import library
     from exoid.physics.term import name_of
 
     twin = {name_of(term): term.same_torque for term in library()}
-    left_out, rivals = set(map(name_of, NAMELESS)), []
-    for name in (each.terms[0] for each in found.suspected if len(each.terms) == 1):
-        if name not in left_out:
-            rivals.append(name)
-            left_out |= {name, twin.get(name, "")}
-    return rivals
+    nameless = set(map(name_of, NAMELESS))
+    rivals: dict[frozenset[str], str] = {}
+    for each in found.suspected:
+        pushes = frozenset(min(name, twin.get(name) or name) for name in each.terms)
+        if each.terms and not nameless & {*each.terms}:
+            rivals.setdefault(pushes, "+".join(each.terms))
+    return list(rivals.values())
 
 
 def valued(name: str, term: type, text: str):

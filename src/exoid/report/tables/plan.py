@@ -1,11 +1,13 @@
 """A plan as a person reads it, and as JSON."""
 
+from collections.abc import Iterable
 from itertools import groupby
 from typing import Any
 
 import numpy as np
 from rich.console import Console
 
+from exoid.files.counted import counted
 from exoid.fitting.result.fit_result import FitResult
 from exoid.planning.candidate_recordings import SWING
 from exoid.planning.planned import Candidate, Plan
@@ -13,9 +15,10 @@ from exoid.recordings.recording import Subject
 from exoid.report.document.plain_json import plain, shown
 from exoid.report.tables.table import Table, print_table, with_unit
 from exoid.report.words.person import identity
-from exoid.report.words.text import heading, note, say, shown_unit, told_apart, with_error
+from exoid.report.words.text import heading, note, say, shown_unit, with_digits, with_error
 
-SHOWN = 8  # single segments in the table
+SHOWN = 8  # rows of single segments in the table
+ROUNDING = 2  # digits of an error: what differs by less is as good
 
 
 def print_plan(plan: Plan, console: Console, model: str = "", *, first: bool = False) -> None:
@@ -54,27 +57,49 @@ def print_steps(
 
 def print_options(plan: Plan, console: Console) -> None:
     """The best single segments and those that are proposed, best first, and what each would leave
-    alone.
+    alone; those that are as good in one row.
     """
     finite = [option for option in plan.options if np.isfinite(option.error)]
-    known = [
-        option
-        for number, option in enumerate(finite)
-        if number < SHOWN or option.candidate in plan.proposed
-    ]
+    rows = as_good((each.candidate, with_digits(each.error, ROUNDING)) for each in finite)
+    known = {
+        error: in_one_row(some, plan.proposed)
+        for number, (error, some) in enumerate(rows.items())
+        if number < SHOWN or {*some} & {*plan.proposed}
+    }
     heading(console, "One segment more, and the error it would leave")
     if not known:
         say(console, f"No single segment tells {plan.symbol}: it takes two.")
         return
     columns = {
-        "release": [option.candidate.words for option in known],
-        f"error [{plan.unit}]" if shown_unit(plan.unit) else "error": told_apart(
-            [option.error for option in known]
-        ),
+        "release": [*known.values()],
+        f"error [{plan.unit}]" if shown_unit(plan.unit) else "error": [*known],
     }
     print_table(Table("", columns), console)
     if len({each.words for each in plan.proposed}) > 1:
         say(console, "Each by itself: what is proposed above tells more together.")
+
+
+def as_good(each: Iterable[tuple[Candidate, str]]) -> dict[str, list[Candidate]]:
+    """Candidates by what is written of them, in their order."""
+    rows: dict[str, list[Candidate]] = {}
+    for candidate, written in each:
+        rows.setdefault(written, []).append(candidate)
+    return rows
+
+
+def in_one_row(some: list[Candidate], proposed: Iterable[Candidate] = ()) -> str:
+    """Candidates that are as good: what is proposed of them, else the simplest, and how many are
+    left.
+    """
+    named = [each for each in some if each in {*proposed}] or [min(some, key=simplicity)]
+    others = len(some) - len(named)
+    more = f", or {counted(others, 'other')} as good" if others else ""
+    return " or ".join(each.words for each in named) + more
+
+
+def simplicity(each: Candidate) -> tuple[float, float]:
+    """What it costs the person who records it, the less the better."""
+    return each.effort, each.motion.added_mass
 
 
 def files(proposed: list[Candidate]) -> str:

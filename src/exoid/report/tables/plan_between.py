@@ -7,10 +7,17 @@ from rich.console import Console
 from exoid.planning.planned import Contrast
 from exoid.recordings.recording import Subject
 from exoid.report.document.plain_json import plain, shown
-from exoid.report.tables.plan import SHOWN, print_steps, segment_document
+from exoid.report.tables.plan import (
+    ROUNDING,
+    SHOWN,
+    as_good,
+    in_one_row,
+    print_steps,
+    segment_document,
+)
 from exoid.report.tables.table import Table, print_table
 from exoid.report.words.person import identity
-from exoid.report.words.text import heading, note, say, told_apart
+from exoid.report.words.text import heading, note, say, with_digits
 
 NONE = 0.05  # log odds that count as none: a twentieth more likely
 NAMES = {
@@ -42,13 +49,16 @@ def print_contrast(found: Contrast, console: Console) -> None:
 
 
 def print_tellings(found: Contrast, console: Console) -> None:
-    """Every single segment, best first, and what it would tell."""
-    shown = found.options[:SHOWN]
+    """The single segments, best first, and what each would tell; what is as good in one row."""
+    odds = [(each, each.log_odds if each.log_odds > NONE else 0.0) for each in found.options]
+    rows = as_good((each.candidate, with_digits(one, ROUNDING)) for each, one in odds)
+    likely = {each.candidate: f"{each.probability:.0%}" for each in found.options}
+    shown = list(rows.items())[:SHOWN]
     heading(console, "One segment more, and what it would tell")
     columns = {
-        "release": [each.candidate.words for each in shown],
-        "log odds": told_apart([each.log_odds if each.log_odds > NONE else 0.0 for each in shown]),
-        "20 to 1": [f"{each.probability:.0%}" for each in shown],
+        "release": [in_one_row(some, found.proposed) for _, some in shown],
+        "log odds": [written for written, _ in shown],
+        "20 to 1": [likely[some[0]] for _, some in shown],
     }
     print_table(Table("", columns), console)
 

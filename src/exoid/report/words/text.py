@@ -35,15 +35,6 @@ def with_error(value: float, error: float) -> str:
     return f"({value / 10**first:z.{decimals}f} ± {error / 10**first:.{decimals}f})e{first:+d}"
 
 
-def told_apart(values: list[float]) -> list[str]:
-    """Values with two digits, with three where two of them would look alike."""
-    for digits in (2, 3):
-        written = [with_digits(value, digits) for value in values]
-        if len(set(written)) == len(set(values)):
-            break
-    return written
-
-
 def with_digits(value: float, digits: int) -> str:
     """So many digits, zeros at the end too, never as a power of ten unless it is tiny."""
     decimals = digits - 1 - exponent(value)
