@@ -17,7 +17,8 @@ class Declaration:
     """What a parameter says of itself. `lower` and `upper` are the bounds of a fit.
 
     A search begins at every one of `starts`; where the right place hangs on the motion, they are a
-    function of its lowest and highest angle [rad].
+    function of its lowest and highest angle [rad]. At `plain` a term is a simpler one that has all
+    its parameters but this.
     """
 
     symbol: str
@@ -26,6 +27,7 @@ class Declaration:
     upper: float
     title: str
     starts: Starts = ()
+    plain: float = 0.0
 
     @property
     def inertia_power(self) -> int:
@@ -40,7 +42,14 @@ class Declaration:
 
 
 def parameter(
-    symbol: str, unit: str, lower: float, upper: float, title: str = "", starts: Starts = ()
+    symbol: str,
+    unit: str,
+    lower: float,
+    upper: float,
+    title: str = "",
+    starts: Starts = (),
+    *,
+    plain: float = 0.0,
 ):
     """Declare a parameter field: its symbol, unit, bounds and the words that tables print.
 
@@ -49,7 +58,7 @@ def parameter(
     ...     level: jax.Array = exoid.parameter("D", "N m s/rad", 0.0, 5.0, "drag", (0.1,))
     """
     return eqx.field(
-        metadata={"parameter": Declaration(symbol, unit, lower, upper, title, starts)},
+        metadata={"parameter": Declaration(symbol, unit, lower, upper, title, starts, plain)},
     )
 
 

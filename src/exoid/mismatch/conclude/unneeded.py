@@ -2,7 +2,7 @@
 
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.search.found import Found, lost_at_zero
+from exoid.mismatch.search.found import Found, lost_at
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term
 
@@ -28,4 +28,4 @@ def lost(found: Found, one: Optimum, term: type[Term]) -> float:
     place = candidate.terms.index(term)
     first = at + sum(value.size for value in candidate.values[:place])
     rows = [*range(first, first + candidate.values[place].size)]
-    return lost_at_zero(found.prepared, one, rows)
+    return lost_at(found.prepared, one, dict.fromkeys(rows, 0.0))

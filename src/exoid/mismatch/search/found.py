@@ -66,11 +66,12 @@ def unscaled_covariance(prepared: PreparedRecording, one: Optimum) -> np.ndarray
     return np.linalg.pinv(normal / units, hermitian=True) / units
 
 
-def lost_at_zero(prepared: PreparedRecording, one: Optimum, rows: list[int]) -> float:
-    """What more would be left were these of its unknowns 0, to first order."""
+def lost_at(prepared: PreparedRecording, one: Optimum, plain: dict[int, float]) -> float:
+    """What more would be left were these of its unknowns at these values, to first order."""
+    rows = list(plain)
     variance = unscaled_covariance(prepared, one)[np.ix_(rows, rows)]
-    value = one.candidate.unknowns[rows]
-    return float(value @ np.linalg.pinv(variance) @ value)
+    off = one.candidate.unknowns[rows] - list(plain.values())
+    return float(off @ np.linalg.pinv(variance) @ off)
 
 
 def best_of(settled: list[Optimum]) -> list[Optimum]:

@@ -11,7 +11,7 @@ from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FLOOR, enough, polished, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.found import lost_at_zero, size
+from exoid.mismatch.search.found import lost_at, size
 from exoid.mismatch.search.rank import simpler_form
 from exoid.physics.parameter import declarations
 from exoid.physics.term import SensorTerm, Term, holds, name_of
@@ -154,8 +154,8 @@ def in_simplest_form(
     measure = yardstick(prepared, one)
     untold = [
         simple
-        for simple, rows in extra.items()
-        if not measure.clear(lost_at_zero(prepared, one, rows), 0.0, len(rows))
+        for simple, plain in extra.items()
+        if not measure.clear(lost_at(prepared, one, plain), 0.0, len(plain))
     ]
     simpler = [
         each
@@ -167,20 +167,20 @@ def in_simplest_form(
     return in_simplest_form(prepared, min(simpler, key=lambda each: each.square), usable)
 
 
-def extras(one: Optimum, usable: list[type[Term]]) -> dict[type[Term], list[int]]:
-    """Of the simpler forms of its terms, which of its unknowns each has not and may be 0: where an
-    excess is none, the speed at which it fades is of no matter. What sticks has no form that does
-    not.
+def extras(one: Optimum, usable: list[type[Term]]) -> dict[type[Term], dict[int, float]]:
+    """Of the simpler forms of its terms, which of its unknowns each has not, and where these make
+    it that form, if they may be there: where an excess is none, the speed at which it fades is of
+    no matter. What sticks has no form that does not.
     """
     found, first = {}, one.candidate.point.size + one.candidate.zero.size
     for rich, value in zip(one.candidate.terms, one.candidate.values, strict=True):
         for simple in (each for each in usable if each not in one.candidate.terms):
             known = dict(declarations(simple))
-            more = [
-                first + at
+            more = {
+                first + at: declared.plain
                 for at, (name, declared) in enumerate(declarations(rich))
-                if name not in known and declared.lower <= 0.0 <= declared.upper
-            ]
+                if name not in known and declared.lower <= declared.plain <= declared.upper
+            }
             if more and simpler_form(simple, rich) and holds(simple) is holds(rich):
                 found[simple] = more
         first += value.size

@@ -31,7 +31,9 @@ class ShapedHysteresis(PhysicsTerm):
 
     level: Parameter = parameter("F", "N m", 0.0, 50.0, "torque of the spring at phi_y", (1.0,))
     yield_angle: Parameter = parameter("phi_y", "rad", 0.004, 0.6, "yield angle", (0.2,))
-    shape: Parameter = parameter("r", "1", -2.0, 1.0, "yielding (1) or hardening (< 0)", (0.0,))
+    shape: Parameter = parameter(
+        "r", "1", -2.0, 1.0, "yielding (1) or hardening (< 0)", (0.0,), plain=1.0
+    )
     load: Parameter = parameter("z_0", "1", -5.0, 5.0, "load at the first sample", (0.0,))
 
     def memory_at_rest(self, now: Moment) -> Memory:

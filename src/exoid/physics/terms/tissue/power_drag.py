@@ -24,7 +24,7 @@ class PowerDrag(PhysicsTerm):
     by_whole_drops = True
 
     coefficient: Parameter = parameter("b", "N m s^2/rad^2", 0.0, 2.0, "drag at 1 rad/s", (0.02,))
-    power: Parameter = parameter("p", "1", 1.2, 3.0, "power of speed", (1.5,))
+    power: Parameter = parameter("p", "1", 1.2, 3.0, "power of speed", (1.5,), plain=2.0)
 
     def itself(self) -> bool:
         return bool(self.power >= VISCOUS)
