@@ -22,6 +22,7 @@ from exoid.recordings.conventions.left_out.gyro_limit import without_saturated
 from exoid.recordings.conventions.left_out.held_values import without_held
 from exoid.recordings.conventions.left_out.interpolated import without_interpolated
 from exoid.recordings.conventions.left_out.lost_samples import without_lost_samples
+from exoid.recordings.conventions.left_out.lost_time import without_lost_time
 from exoid.recordings.conventions.mounting import settled, turned
 from exoid.recordings.conventions.other_leg import another_leg
 from exoid.recordings.conventions.thin import thinned
@@ -65,7 +66,8 @@ def understand(
     movements = found.recording
     refuse(wrong_convention(movements, sensors, cut=movements is not recording or not whole))
     refuse(wrong_sign(recording))
-    noticed = () if whole else (*found.notes, *another_leg(movements))
+    movements, broken = (movements, ()) if whole else without_lost_time(movements)
+    noticed = () if whole else (*found.notes, *broken, *another_leg(movements))
     recording, more = settled(recording if whole else movements, movements)
     return recording, (*notes, *more, *noticed)
 

@@ -9,7 +9,8 @@ from exoid.fitting.result.agreement import of_the_rest
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.fitting.result.remarks.remarks import slight
 from exoid.mismatch.answer.diagnosis import Diagnosis
-from exoid.report.parts.case import Case
+from exoid.recordings.conventions.left_out.lost_time import TIME_LOST
+from exoid.report.parts.case import Case, Source
 from exoid.report.sections.blocks import Block, Group, State, card, element
 from exoid.report.sections.parameters import parameters_of
 from exoid.report.sections.quality import appraisals
@@ -74,6 +75,7 @@ def recording(case: Case) -> Group:
                 ("gap", sum(one.gaps for one in each)),
                 ("missing sample", sum(one.missing for one in each)),
                 ("sample at the gyro's limit", sum(one.saturated or 0 for one in each)),
+                ("untimed gap", sum(map(untimed, case.sources))),
             )
             if count
         ),
@@ -86,6 +88,11 @@ def recording(case: Case) -> Group:
     because = f"{amount}: {'; '.join(lost)}." if lost else f"{amount}."
     whole: State = "good" if case.fit.follows else "open"  # whole it may be, but not good
     return card("Is the recording whole?", "care" if lost else whole, answer, because)
+
+
+def untimed(source: Source) -> int:
+    """In how many segments of a file samples are lost of which its clock does not tell."""
+    return sum(TIME_LOST in note for note in source.notes)
 
 
 def agreement(case: Case) -> Group:
