@@ -72,11 +72,11 @@ def test_a_wild_sample_is_none():
         assert breaks(TIME, angle, None).size == 0
 
 
-def recorded(angle: np.ndarray, rate: np.ndarray, **subject: str) -> exoid.Recording:
+def recorded(angle: np.ndarray, rate: np.ndarray, kind: str | None = None) -> exoid.Recording:
     segment = exoid.Segment(
         TIME[: angle.size], raw_angle=angle, raw_angular_velocity=rate, begins=20.0
     )
-    return exoid.Recording((segment,), subject=exoid.Subject(**subject))
+    return exoid.Recording((segment,), subject=exoid.Subject(kind=kind))
 
 
 def test_the_piece_in_which_the_leg_goes_farthest_is_kept_and_it_is_said():

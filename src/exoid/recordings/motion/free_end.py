@@ -17,7 +17,7 @@ from exoid.recordings.motion.acceleration import (
 from exoid.recordings.motion.extent import End
 from exoid.recordings.motion.signal import Signal, Speed
 from exoid.recordings.motion.swings import Swings, cut_short, outside
-from exoid.recordings.motion.thresholds import BRIEF, KEPT, LATE
+from exoid.recordings.motion.thresholds import BRIEF, KEPT, LATE, PUSH
 from exoid.recordings.remembered import remembered
 from exoid.recordings.signal.condition import runs
 
@@ -49,8 +49,8 @@ def hand_in(seen: Swings, moves: Derivatives) -> End | None:
     """The first trace of a hand."""
     place, rest, time = outside(seen), seen.bounds.rest, moves.time
     if place is not None:
-        sure = seen.at[max(place - 2, 1)]
-        return caught(moves, slice(seen.bounds.free, sure + 1), seen.at[place])
+        sure = slice(seen.bounds.free, seen.at[max(place - 2, 1)] + 1)
+        return before_lift(moves, sure, caught(moves, sure, seen.at[place]))
     if rest is None:
         return None
     if cut_short(seen.angle):
@@ -87,8 +87,27 @@ def gripping(seen: Swings, moves: Derivatives, law: Law) -> End | None:
     return None if at is None else caught(moves, seen.sure, at, law)
 
 
+def before_lift(moves: Derivatives, free: slice, end: End) -> End:
+    """The end of what surely was free in the samples `free`, not in the movement by which a hand
+    was seen, where that is small.
+
+    A hand whose pull is no more than a share of the greatest acceleration, and unseen, has moved a
+    leg by as great a share of its swings.
+    """
+    angle, way = moves.angle, np.sign(moves.speed[min(end.stop, moves.speed.size - 1)])
+    turned = np.flatnonzero(way * moves.speed[free.stop : end.stop] <= 0)
+    turn = free.stop + int(turned[-1]) if turned.size else free.stop
+    if abs(angle[end.stop - 1] - angle[turn]) > PUSH * np.ptp(angle[free]):
+        return end
+    stop = max(int(moves.time.searchsorted(moves.time[turn] - LATE)), free.stop)
+    return caught_at(moves, min(stop, end.stop))
+
+
 def caught(moves: Derivatives, free: slice, limit: int, law: Law | None = None) -> End:
     """Where a hand ended what was free for sure in the samples `free`, before `limit`."""
-    stop = free_until(moves, free, limit, law)
+    return caught_at(moves, free_until(moves, free, limit, law))
+
+
+def caught_at(moves: Derivatives, stop: int) -> End:
     since = float(moves.time[stop - 1])
     return End(stop, "caught", f"stopped or lifted after {since:.2f} s, as by a hand", stop)

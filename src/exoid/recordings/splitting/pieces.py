@@ -6,7 +6,7 @@ import numpy as np
 
 from exoid.recordings.motion.find_free import moving
 from exoid.recordings.motion.signal import Speed, signal_of, smoothed, speed_of
-from exoid.recordings.motion.thresholds import ABOVE, CLEAR, LOST, MINOR, SWAYING, TRAVEL
+from exoid.recordings.motion.thresholds import ABOVE, CHANGE, CLEAR, LOST, MINOR, SWAYING, TRAVEL
 from exoid.recordings.recording import Kind, Segment, Sensors
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import RINGING, classify, cut, reversals, swings_out
@@ -23,11 +23,11 @@ def find_pieces(log: Segment, sensors: Sensors, told: Kind | tuple | None) -> li
     speed = speed_of(signal)
     smooth, noise = smoothed(signal, speed.width)
     patient = replace(speed, still=max(speed.still, SWAYING))
-    least = max(TRAVEL, CLEAR * noise)
+    least, finest = (max(each, CLEAR * noise) for each in (TRAVEL, CHANGE))
 
     def pieces_in(part: slice, speed: Speed) -> list[Piece]:
         parts = far_ones(log.time, smooth, part, speed, least)
-        return [with_lift(piece(log, smooth, each, told), smooth, least) for each in parts]
+        return [with_lift(piece(log, smooth, each, told), smooth, least, finest) for each in parts]
 
     pieces = []
     for whole in pieces_in(slice(0, log.time.size), speed):
@@ -81,9 +81,10 @@ def piece(log: Segment, smooth: Samples, part: slice, told: Kind | tuple | None)
     return Piece(part.start, part.stop, kind, name)
 
 
-def with_lift(piece: Piece, smooth: Samples, least: float) -> Piece:
+def with_lift(piece: Piece, smooth: Samples, least: float, finest: float) -> Piece:
     """A drop with where a hand lifts the leg at its end, if one does: farther up, by `least` rad,
-    than the leg swung before, and up to where it stays.
+    than the leg swung before, and up to where it stays. It begins where the leg last turned around,
+    by the `finest` rad that tells a turn from noise.
     """
     if piece.name != "a drop":
         return piece
@@ -94,7 +95,11 @@ def with_lift(piece: Piece, smooth: Samples, least: float) -> Piece:
         for before, low, top in zip(ends, ends[1:], ends[2:], strict=False)
         if min(angle[top], angle[-1]) > max(angle[before], angle[low]) + least
     ]
-    return replace(piece, lifted=piece.start + lows[-1]) if lows else piece
+    if not lows:
+        return piece
+    rise = angle[lows[-1] :][: int(np.argmax(angle[lows[-1] :])) + 1]
+    turns = [0, *reversals(rise, finest)]
+    return replace(piece, lifted=piece.start + lows[-1] + turns[-1])
 
 
 def caught(angle: Samples) -> bool:

@@ -10,6 +10,7 @@ from exoid.recordings.motion.thresholds import PAUSE, REST_KEPT, TAKEN
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, known
 from exoid.recordings.signal.condition import classify, cut
 from exoid.recordings.splitting.cycle import find_cycle
+from exoid.recordings.splitting.lifted import without_lifts
 from exoid.recordings.splitting.piece import Piece
 from exoid.recordings.splitting.pieces import find_pieces
 from exoid.recordings.splitting.rig import free_alone, free_part
@@ -46,7 +47,7 @@ def cut_apart(recording: Recording) -> Split:
     if starts is not None:
         return Split(of_parts(recording, marked_parts(log, starts, ends)), ())
     pieces = find_pieces(log, recording.sensors, recording.protocol.kind)
-    parts = kept_parts(log, pieces)
+    parts = without_lifts(log, recording.sensors, kept_parts(log, pieces), pieces)
     if not parts:
         raise ValueError(
             "no movement was found: no drop or cycle between two rests. Mark the segments with "
@@ -76,7 +77,7 @@ def cut_leg(said: Recording, log: Segment) -> Split | None:
     if kind == "measured":
         return None
     pieces = find_pieces(log, said.sensors, kind)
-    parts = kept_parts(log, pieces)
+    parts = without_lifts(log, said.sensors, kept_parts(log, pieces), pieces)
     if not parts or len(pieces) < 2 or (kind == "active" and len(parts) < 2):
         return None
     return Split(of_parts(said, parts), notes_of(log, pieces))
@@ -133,7 +134,7 @@ def kept_parts(log: Segment, pieces: list[Piece]) -> list[slice]:
 
 
 def notes_of(log: Segment, pieces: list[Piece], what: str = "leg") -> tuple[str, ...]:
-    """What was left out, by its time; a lift at the end of a drop stays, but tells nothing."""
+    """What was left out, by its time; a lift at the end of a drop, too."""
     each = [
         (each.name, each.start, each.stop) if each.kind is None else ("a lift", lift, each.stop)
         for each in pieces
