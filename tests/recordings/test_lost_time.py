@@ -1,18 +1,21 @@
 """Time that a clock does not know of, and motions that break off without it."""
 
+from typing import Literal
+
 import numpy as np
 import pytest
 
 import exoid
 from exoid.recordings.conventions.left_out.lost_time import TIME_LOST, without_lost_time
+from exoid.recordings.samples import Samples
 from exoid.recordings.signal.breaks import breaks
 
 STEP = 0.01
-TIME = STEP * np.arange(800)
+TIME: Samples = STEP * np.arange(800, dtype=np.float64)
 NOISE = 1e-3  # rad, of the angle; a gyro's is twice as much a second
 
 
-def swing(damping: float = 0.6, seed: int = 0, speed: float = 5.0) -> tuple[np.ndarray, np.ndarray]:
+def swing(damping: float = 0.6, seed: int = 0, speed: float = 5.0) -> tuple[Samples, Samples]:
     """A leg that is held for 1 s, let go, and swings about -1.2 rad, as both sensors show it."""
     since = np.maximum(TIME - 1.0, 0.0)
     fall, phase = np.exp(-damping * since / 2), speed * since
@@ -25,7 +28,7 @@ def swing(damping: float = 0.6, seed: int = 0, speed: float = 5.0) -> tuple[np.n
     )
 
 
-def without(samples: np.ndarray, at: int, count: int) -> np.ndarray:
+def without(samples: Samples, at: int, count: int) -> Samples:
     """What is left where a clock counts rows, and some are lost."""
     return np.delete(samples, np.arange(at, at + count))
 
@@ -72,7 +75,7 @@ def test_a_wild_sample_is_none():
         assert breaks(TIME, angle, None).size == 0
 
 
-def recorded(angle: np.ndarray, rate: np.ndarray, kind: str | None = None) -> exoid.Recording:
+def recorded(angle: Samples, rate: Samples, kind: Literal["leg", "rig"] = "leg") -> exoid.Recording:
     segment = exoid.Segment(
         TIME[: angle.size], raw_angle=angle, raw_angular_velocity=rate, begins=20.0
     )

@@ -75,10 +75,14 @@ def test_of_hundreds_of_lifts_the_first_are_named_and_the_rest_counted():
     assert note.endswith(f"s, and {300 - SHOWN} more times")
 
 
-def test_a_lift_of_a_leg_that_still_swings_is_told_as_well():
+@pytest.mark.parametrize("left", [0.5, 1.0, 2.0, 3.0])  # deg, by which it still swings
+@pytest.mark.parametrize("seconds", [0.8, 1.5, 2.2])
+def test_a_lift_of_a_leg_that_still_swings_is_told_and_left_out(left, seconds):
+    damped = np.log(0.9 / np.radians(left)) / 9.0
     time = np.arange(0, 9, 0.01)
-    swing = DOWN + 0.9 * np.exp(-0.35 * time) * np.cos(5.5 * time)
-    lift = swing[-1] + (-0.36 - swing[-1]) / 2 * (1 - np.cos(np.pi * np.arange(0, 1.5, 0.01) / 1.5))
+    swing = DOWN + 0.9 * np.exp(-damped * time) * np.cos(5.5 * time)
+    share = np.arange(0, seconds, 0.01) / seconds
+    lift = swing[-1] + (-0.36 - swing[-1]) / 2 * (1 - np.cos(np.pi * share))
     one = [np.full(150, DOWN + 0.9), swing, lift]
     angle = np.concatenate([*one, *one, np.full(150, lift[-1])])
     angle = angle + 1e-3 * np.random.default_rng(0).normal(size=angle.size)
@@ -86,9 +90,11 @@ def test_a_lift_of_a_leg_that_still_swings_is_told_as_well():
     found = cut_table(Recording((log,), Subject(kind="leg")))
     assert found.recording.protocol.kind == ("passive", "passive")
     (note,) = found.notes
-    each = [float(said.split()[0]) for said in note.split("a lift from ")[1:]]
-    # The hand takes it at 10.5 and 22.5 s; in its last period before, nobody sees when.
-    assert each == [pytest.approx(10.2, abs=0.6), pytest.approx(22.2, abs=0.6)]
+    said = [float(each.split()[0]) for each in note.split("a lift from ")[1:]]
+    taken = [10.5, 21.0 + seconds]  # s; in its last half period before, nobody sees when
+    assert said == pytest.approx(taken, abs=0.6)
+    for segment, at in zip(found.recording.segments, taken, strict=True):
+        assert at - 1.1 < segment.begins + segment.time[-1] < at + 0.1
 
 
 def test_load_cuts_a_table_and_names_what_it_left_out(tmp_path):

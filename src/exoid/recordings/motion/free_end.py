@@ -50,7 +50,9 @@ def hand_in(seen: Swings, moves: Derivatives) -> End | None:
     place, rest, time = outside(seen), seen.bounds.rest, moves.time
     if place is not None:
         sure = slice(seen.bounds.free, seen.at[max(place - 2, 1)] + 1)
-        return before_lift(moves, sure, caught(moves, sure, seen.at[place]))
+        end = caught(moves, sure, seen.at[place])
+        swing = abs(seen.angle[place - 1] - seen.angle[place - 2])
+        return before_lift(moves, sure, end) if swing < unseen(moves, sure) else end
     if rest is None:
         return None
     if cut_short(seen.angle):
@@ -88,19 +90,23 @@ def gripping(seen: Swings, moves: Derivatives, law: Law) -> End | None:
 
 
 def before_lift(moves: Derivatives, free: slice, end: End) -> End:
-    """The end of what surely was free in the samples `free`, not in the movement by which a hand
-    was seen, where that is small.
-
-    A hand whose pull is no more than a share of the greatest acceleration, and unseen, has moved a
-    leg by as great a share of its swings.
+    """The end of what surely was free in the samples `free`, before the movement in which a hand
+    was seen, where the leg had not gone far in it.
     """
-    angle, way = moves.angle, np.sign(moves.speed[min(end.stop, moves.speed.size - 1)])
-    turned = np.flatnonzero(way * moves.speed[free.stop : end.stop] <= 0)
-    turn = free.stop + int(turned[-1]) if turned.size else free.stop
-    if abs(angle[end.stop - 1] - angle[turn]) > PUSH * np.ptp(angle[free]):
+    ahead = moves.speed * np.sign(moves.speed[min(end.stop, moves.speed.size - 1)])
+    back = np.flatnonzero(ahead[free.stop : end.stop] <= 0)
+    turn = free.stop + int(back[-1]) if back.size else free.stop
+    if abs(moves.angle[end.stop - 1] - moves.angle[turn]) > unseen(moves, free):
         return end
     stop = max(int(moves.time.searchsorted(moves.time[turn] - LATE)), free.stop)
     return caught_at(moves, min(stop, end.stop))
+
+
+def unseen(moves: Derivatives, free: slice) -> float:
+    """How far a hand may move a leg before it is seen [rad]: it then pulls with a share of the
+    greatest acceleration, as far from rest as that share of the way to where the leg was let go.
+    """
+    return PUSH * float(np.ptp(moves.angle[free])) / 2
 
 
 def caught(moves: Derivatives, free: slice, limit: int, law: Law | None = None) -> End:
