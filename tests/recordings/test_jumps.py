@@ -78,7 +78,19 @@ def test_a_gap_of_which_the_times_tell_is_none():
     assert jumps(TIME[kept], angle[kept], rate[kept], NOISE) == []
 
 
-def test_without_a_gyro_nothing_is_said():
+def test_without_a_gyro_a_jump_is_told_from_the_steps_beside_it():
     angle, _ = swing()
-    angle[200:] += 1.0
     assert jumps(TIME, angle, None, NOISE) == []
+    angle[200:] += np.radians(8.0)
+    (found,) = jumps(TIME, angle, None, NOISE)
+    assert np.degrees(found.size) == pytest.approx(8.0, abs=0.5)  # of a step that bends by 0.1
+
+
+@pytest.mark.parametrize("gyro", [True, False])
+@pytest.mark.parametrize("missing", [199, 200])
+def test_a_sample_that_is_missing_beside_a_jump_does_not_hide_it(missing, gyro):
+    angle, rate = swing()
+    angle[200:] += np.radians(8.0)
+    angle[missing] = np.nan
+    (found,) = jumps(TIME, angle, rate if gyro else None, NOISE)
+    assert found.time == pytest.approx(2.0, abs=0.011)

@@ -83,7 +83,7 @@ class Movement:
 
     @cached_property
     def jumps(self) -> list[Jump]:
-        """Of its angle, which its gyro does not show; by the clock of the recording."""
+        """Of its angle, which no leg makes; by the clock of the recording."""
         clock = self.segment.begins + self.segment.time
         return jumps(clock, self.angle, self.angular_velocity, self.angle_noise)
 

@@ -1,8 +1,8 @@
-"""Jumps of an angle that its gyro does not show: a frame that slips, or samples that are lost.
+"""Jumps of an angle that no leg makes: a frame that slips, or samples that are lost.
 
 Between two samples an angle turns by the integral of its rate. A sensor may err in scale, in bias
 or by a delay; none of these is in one step and not in those beside it. What strikes a leg is in its
-rate as well.
+rate as well. Without a gyro a step is compared with those beside it alone.
 """
 
 from collections.abc import Mapping
@@ -12,12 +12,14 @@ import numpy as np
 
 from exoid.recordings.recording import Segment
 from exoid.recordings.samples import Samples
+from exoid.recordings.signal.local_line import interpolated
 from exoid.recordings.signal.scatter import robust_deviation
 
 NEAR = 10  # steps on either side, that show what is usual there
 SURE = 8.0  # standard deviations of a step ...
 ALONE = 4.0  # ... and times the greatest beside it
 LEAST = np.radians(0.5)
+UNSEEN = np.radians(2.0)  # the same without a gyro: what strikes a rig turns it by less in a step
 LONG = 2.5  # times the usual step, in which nobody knows how the leg moved
 STAYS = 0.7  # of a jump, by which the angle is off on its other side
 BESIDE = 5  # samples on either side, by which that is seen
@@ -38,23 +40,26 @@ class Jump:
 
 def jumps(time: Samples, angle: Samples, rate: Samples | None, noise: float) -> list[Jump]:
     """All of them; `noise` is that of the angle [rad]."""
-    if rate is None or time.size < 2 * NEAR + 2:
+    known = ~np.isnan(angle)  # beside a jump one sample may have been taken for a wild one
+    if known.sum() < 2 * NEAR + 2:
         return []
+    usual, least = float(np.median(np.diff(time))), LEAST
+    if rate is None or np.isnan(rate).all():
+        rate, least = np.zeros(time.size), UNSEEN
+    rate, time, angle = interpolated(time, rate)[known], time[known], angle[known]
     step = np.diff(time)
-    turned = step * (rate[1:] + rate[:-1]) / 2
-    beyond = np.nan_to_num(np.diff(angle) - turned)  # a missing sample tells of no jump
-    beyond = beyond - np.median(windows(beyond), axis=1)
+    apart = np.diff(angle) / step - (rate[1:] + rate[:-1]) / 2
+    beyond = step * (apart - np.median(windows(apart), axis=1))
     scale = robust_deviation(beyond, 2**0.5 * noise)
     beside = np.abs(windows(beyond)).max(axis=1)
-    struck = step * np.abs(np.nan_to_num(np.diff(rate)))
+    struck = step * np.abs(np.diff(rate))
     size = np.abs(beyond)
-    known = step < LONG * np.median(step)
-    clear = known & (size > LEAST) & (size > SURE * scale + struck) & (size > ALONE * beside)
-    apart = angle - np.concatenate([[0.0], np.cumsum(np.nan_to_num(turned))])
+    clear = (size > least) & (size > SURE * scale + struck) & (size > ALONE * beside)
+    gone = np.concatenate([[0.0], np.cumsum(beyond)])
     return [
         Jump(float(time[at + 1]), float(beyond[at]))
-        for at in np.flatnonzero(clear)
-        if stays(apart, int(at), float(beyond[at]))
+        for at in np.flatnonzero(clear & (step < LONG * usual))
+        if stays(gone, int(at), float(beyond[at]))
     ]
 
 
@@ -71,8 +76,8 @@ def told_jumps(found: list[Jump]) -> str:
     most = max(found, key=lambda one: abs(one.size))
     more = f", and {len(found) - 1} times more" if len(found) > 1 else ""
     return (
-        f"the angle {most.words}{more}, which the gyro does not show: a frame slipped, an encoder "
-        "stood still, or samples are lost"
+        f"the angle {most.words}{more}, as no leg moves: a frame slipped, an encoder stood still, "
+        "or samples are lost"
     )
 
 
@@ -93,9 +98,7 @@ def windows(each: Samples) -> np.ndarray:
     return np.delete(around, NEAR, axis=1)
 
 
-def stays(apart: Samples, at: int, size: float) -> bool:
+def stays(gone: Samples, at: int, size: float) -> bool:
     """Is the angle off by about that much from there on, as no spike leaves it?"""
-    before, after = apart[max(at + 1 - BESIDE, 0) : at + 1], apart[at + 1 : at + 1 + BESIDE]
-    if np.isnan(before).all() or np.isnan(after).all():
-        return False
-    return float(np.nanmedian(after) - np.nanmedian(before)) / size > STAYS
+    before, after = gone[max(at + 1 - BESIDE, 0) : at + 1], gone[at + 1 : at + 1 + BESIDE]
+    return float(np.median(after) - np.median(before)) / size > STAYS
