@@ -1,5 +1,6 @@
 """Time that a clock does not know of, and motions that break off without it."""
 
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 
 import exoid
 from exoid.recordings.conventions.left_out.lost_time import TIME_LOST, without_lost_time
+from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.breaks import breaks
 
@@ -106,3 +108,20 @@ def test_missing_samples_of_either_sensor_hide_no_loss():
     angle[3::7], rate[100:110] = np.nan, np.nan
     _, (note,) = without_lost_time(recorded(angle, rate))
     assert note.startswith(f"{TIME_LOST} at 23.30 s")
+
+
+@pytest.mark.parametrize("gyro", [True, False])
+def test_a_drop_is_read_up_to_where_time_is_lost(tmp_path, gyro):
+    angle, rate = (without(each, 330, 35) for each in swing())
+    whole = exoid.Recording(
+        (exoid.Segment(TIME, raw_angle=swing()[0]),), protocol=exoid.Protocol(kind="passive")
+    )
+    (segment,) = recorded(angle, rate).segments
+    segment = segment if gyro else replace(segment, raw_angular_velocity=None)
+    write_table(replace(whole, segments=(replace(segment, begins=0.0),)), tmp_path / "lost.csv")
+    with pytest.warns(UserWarning, match=TIME_LOST):
+        (lost,) = exoid.measure_drops(tmp_path / "lost.csv").drops
+    (right,) = exoid.measure_drops(whole).drops
+    read, true = (each.measures["period"].value for each in (lost, right))
+    assert read == pytest.approx(true, abs=4e-3)  # s, four errors of a period; 0.2 s are lost
+    assert lost.measures["time_to_rest"].value is None

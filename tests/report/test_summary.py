@@ -10,7 +10,8 @@ from test_fit_json import common
 
 from exoid.fitting.misfit.missed import Missed
 from exoid.fitting.result.fit_result import Estimate
-from exoid.report.sections.summary import agreement, believed, summary
+from exoid.recordings.conventions.left_out.lost_time import TIME_LOST
+from exoid.report.sections.summary import agreement, believed, recording, summary
 
 
 def told(diagnosis):
@@ -50,3 +51,12 @@ def test_a_rate_is_in_degrees_as_in_the_words_above_the_table():
     fit = replace(case.fit, terms={"gyro_bias": {"bias": bias}})
     row = next(row for row in believed(replace(case, fit=fit)).rows if "bias" in row[0])
     assert any("0.600 ± 0.010 deg/s" in cell for cell in row)
+
+
+@pytest.mark.parametrize("lost", [False, True])
+def test_a_recording_is_not_called_whole_where_time_is_lost(lost):
+    case = made_up()
+    said = f"drops.csv: {TIME_LOST} at 20.63 s, in segment 1" if lost else "nothing"
+    source = replace(case.sources[0], notes=(said,))
+    told = str(recording(replace(case, sources=(source,))))
+    assert ("untimed gap" in told) == lost
