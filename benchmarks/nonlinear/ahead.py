@@ -10,9 +10,9 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from exoid.fitting.data.movement import Movement
-from exoid.fitting.estimate import movements_of
 from exoid.fitting.misfit.residual import predict
 from exoid.fitting.model.coordinates import Coordinates, SegmentUnknowns, Unknowns, of_segments
+from exoid.fitting.movements import movements_of
 from exoid.fitting.multistart.starts import first_state
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.ask import take

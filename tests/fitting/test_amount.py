@@ -8,7 +8,7 @@ import pytest
 import exoid
 from exoid.fitting.amount.manageable import DIAGNOSED, Amount, manageable
 from exoid.fitting.amount.part import parts_of
-from exoid.fitting.estimate import movements_in
+from exoid.fitting.movements import movements_in
 from exoid.recordings.recording import Protocol, Segment, Sensors, Subject
 from legs import ADULT, BODY, drop, recording
 

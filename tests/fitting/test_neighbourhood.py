@@ -6,11 +6,11 @@ import jax
 import numpy as np
 
 from exoid.fitting.data.conditioning_chain import Raw
-from exoid.fitting.estimate import movements_of
 from exoid.fitting.misfit.neighbourhood import declared_slopes, gradients
 from exoid.fitting.model.coordinates import flattened, layout, take, typical, unflattened
 from exoid.fitting.model.prior import mounting_residual
 from exoid.fitting.model.prior_and_limits import believe
+from exoid.fitting.movements import movements_of
 from exoid.fitting.multistart.starts import coordinates, term_starts
 from exoid.fitting.solve.pose import pose
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from exoid.fitting.data.conditioning_chain import Raw
-from exoid.fitting.estimate import movements_of
 from exoid.fitting.model.prior_and_limits import believe
+from exoid.fitting.movements import movements_of
 from exoid.fitting.multistart.search import HOPELESS, basins
 from exoid.fitting.multistart.settle import stands_still
 from exoid.fitting.multistart.starts import coordinates

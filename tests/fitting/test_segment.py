@@ -9,7 +9,7 @@ import pytest
 
 from exoid.fitting.amount.part import parts_of
 from exoid.fitting.data.segment import movement
-from exoid.fitting.estimate import left_out, movements_of
+from exoid.fitting.movements import left_out, movements_of
 from exoid.physics.leg import LegModel
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.term import Term

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from exoid.fitting.data.conditioning_chain import Raw
-from exoid.fitting.estimate import movements_of
 from exoid.fitting.model.coordinates import take
 from exoid.fitting.model.prior import belief_residual
 from exoid.fitting.model.prior_and_limits import believe
+from exoid.fitting.movements import movements_of
 from exoid.fitting.multistart.settle import as_believed
 from exoid.fitting.multistart.starts import coordinates
 from exoid.fitting.solve.pose import pose

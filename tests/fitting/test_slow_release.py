@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from exoid.fitting.estimate import fit, movements_of
+from exoid.fitting.estimate import fit
 from exoid.fitting.hands.first_swing import bottom, fastest
 from exoid.fitting.hands.slow_release import begun
+from exoid.fitting.movements import movements_of
 from exoid.mismatch.conclude.verdict.begins_and_ends import begins_and_ends, what_next
 from exoid.mismatch.prepare import prepare
 from exoid.recordings.loading.named import named_recordings

@@ -9,10 +9,11 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.errors.profile import profiles
-from exoid.fitting.estimate import fit, movements_of
+from exoid.fitting.estimate import fit
 from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.systematics import Systematics
+from exoid.fitting.movements import movements_of
 from exoid.fitting.result.fit_result import Estimate
 from exoid.fitting.result.remarks.added_mass_remarks import acting, same_swing
 from exoid.fitting.result.remarks.anatomy_remarks import at_rate, length_of, of_anatomy

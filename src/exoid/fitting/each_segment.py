@@ -8,14 +8,7 @@ import numpy as np
 
 from exoid.fitting.amount.manageable import TOGETHER, Amount, manageable
 from exoid.fitting.amount.part import Part
-from exoid.fitting.estimate import (
-    PLAIN_SCALE,
-    classes_of,
-    fit,
-    left_out,
-    movements_in,
-    with_aside,
-)
+from exoid.fitting.estimate import PLAIN_SCALE, classes_of, fit, with_aside
 from exoid.fitting.misfit.neighbourhood import derivative
 from exoid.fitting.misfit.uncertainty import Information
 from exoid.fitting.model.assumptions import Assumptions, by_hand
@@ -25,6 +18,7 @@ from exoid.fitting.model.limits import constraint_names
 from exoid.fitting.model.prior import prior_residual
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.term_parameters import ratio_name
+from exoid.fitting.movements import left_out, movements_in
 from exoid.fitting.result.averaged import averaged, mean_slack
 from exoid.fitting.result.estimates import Found, parameter_estimate, with_reasons
 from exoid.fitting.result.fit_result import Estimate, FitResult

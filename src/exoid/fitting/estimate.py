@@ -2,18 +2,17 @@
 
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import jax
 import numpy as np
 
 from exoid.fitting.amount.manageable import TOGETHER, Amount, manageable
-from exoid.fitting.amount.part import Part, parts_of
 from exoid.fitting.data.conditioning import conditioned
+from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.fitted_samples import Clip
 from exoid.fitting.data.movement import Movement, all_driven
-from exoid.fitting.data.segment import movement
 from exoid.fitting.data.size_of_rig import scale_of
 from exoid.fitting.hands.slow_release import of_slow, without_slow_release
 from exoid.fitting.hands.unseen_hands import FEW, without_unseen_hands
@@ -21,9 +20,11 @@ from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName, 
 from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.user_values import Bounds, Expectations, Fixed
+from exoid.fitting.movements import left_out, movements_in
 from exoid.fitting.multistart.search import search
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.multistart.starts import check_draw, draw, driven, informed, term_starts
+from exoid.fitting.one_leg import check_one_leg
 from exoid.fitting.result.describe import describe
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks.remarks import UPWARDS, upwards
@@ -31,16 +32,14 @@ from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.unlike_tables import contradicted, strange, without_tables
 from exoid.physics.library import check_terms, library
-from exoid.physics.scale import AS_A_LEG
+from exoid.physics.scale import AS_A_LEG, Scale
 from exoid.physics.term import SensorTerm, Term, name_of
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
-from exoid.recordings.motion.extent import Motionless
 from exoid.recordings.recording import Recording
 
 MIDDLING = {"mass": 4.0, "inertia": 0.4}  # kg, kg m^2: where nothing is expected
 PLAIN_SCALE = 1e3  # 1/rad: the solver's tolerances are in units of noise, here 1 mrad
 READINGS = ("1/T", "2/T")  # of Eq. 4
-APART = (("body_mass", "kg", 6.0), ("height", "m", 0.03))  # by which one person's sidecars differ
 
 
 def fit(
@@ -116,67 +115,135 @@ def fit(
     remembering = (each for each in classes if not issubclass(each, SensorTerm))
     at_once = at_once or any(each.memory_size > 0 for each in remembering)
     whole = clip == "free" and not plain
-    handled = whole and method == "lm"
+    attempt = Attempt(
+        movements=movements,
+        chain=chain,
+        readings=readings(named, movements),
+        terms=terms,
+        classes=classes,
+        scale=scale,
+        multistart=multistart,
+        seed=seed,
+        starts=starts,
+        near=near,
+        method=method,
+        handled=whole and method == "lm",
+        at_once=at_once,
+    )
+    result, slow = attempt.result(belief)
+    if whole and strange(result):
+        with suppress(ArithmeticError, ValueError):  # where it finds no leg, the first one stands
+            untabled, beside = attempt.result(without_tables(belief))
+            if untabled.follows and contradicted(untabled):
+                result, slow = untabled, beside
+    aside = [*amount.notes, *left_out(amount.parts, movements)]
+    return with_aside(result, [*aside, *slow])
 
-    def search_of(
-        belief: Belief, movements: list[Movement], reading: str, count: int = multistart
+
+@dataclass(frozen=True, eq=False)
+class Attempt:
+    """What was asked of a fit, but for what is believed of the leg."""
+
+    movements: list[Movement]
+    chain: Chain
+    readings: tuple[str, ...]  # of Eq. 4, to try
+    terms: Sequence[type[Term] | Term]
+    classes: tuple[type[Term], ...]  # of these terms
+    scale: Scale
+    multistart: int
+    seed: int
+    starts: np.ndarray | None  # (start, 6), in the place of those that are drawn
+    near: np.ndarray | None  # (6,), which is close to the end
+    method: Literal["lm", "slsqp"]
+    handled: bool  # may hands be in it that nobody told of?
+    at_once: bool  # do they let go at once?
+
+    def search(
+        self, belief: Belief, movements: list[Movement], reading: str, count: int
     ) -> tuple[Problem, SearchResult]:
-        given = begin(movements, belief, reading, count, seed) if starts is None else starts
-        if near is not None:
-            given = np.vstack([near, given[1:]])
-        problem = pose(movements, belief, reading, chain, terms=classes)
-        own = term_starts(terms, movements, len(given), scale)
-        if method == "slsqp":
+        """From `count` starts, to these movements."""
+        if self.starts is None:
+            given = begin(movements, belief, reading, count, self.seed)
+        else:
+            given = self.starts
+        if self.near is not None:
+            given = np.vstack([self.near, given[1:]])
+        problem = pose(movements, belief, reading, self.chain, terms=self.classes)
+        own = term_starts(self.terms, movements, len(given), self.scale)
+        if self.method == "slsqp":
             return problem, by_slsqp(problem, given, own)
-        return search(problem, given, own, near=near is not None)
+        return search(problem, given, own, near=self.near is not None)
 
-    def fitted(belief: Belief) -> tuple[FitResult, list[str]]:
-        """The result, and a note of the drops of which the begin was left out."""
-        tried = {each: search_of(belief, movements, each) for each in readings(named, movements)}
-        best = min(tried, key=lambda reading: float(tried[reading][1].best.misfit[0]))
-        problem, ended = tried[best]
-        if handled:
-            problem, ended = without_unseen_hands(
-                problem,
-                ended,
-                lambda kept, count: search_of(belief, kept, best, count),
-                multistart,
-                at_once=at_once,
+    def result(self, belief: Belief) -> tuple[FitResult, list[str]]:
+        """The result, and a note of the drops of which the begin was left out.
+
+        **Raises** `ValueError` where gravity comes out upwards.
+        """
+        each = {
+            reading: self.search(belief, self.movements, reading, self.multistart)
+            for reading in self.readings
+        }
+        best = min(each, key=lambda reading: float(each[reading][1].best.misfit[0]))
+        found = each[best]
+        if self.handled:
+            found = without_unseen_hands(
+                *found,
+                lambda kept, count: self.search(belief, kept, best, count),
+                self.multistart,
+                at_once=self.at_once,
             )
-        if upwards(problem, ended):
-            raise ValueError(UPWARDS)
-        others = [
-            describe(*tried[reading], None, None).angle_rmse for reading in tried if reading != best
-        ]
-        voluntary = any(each.voluntary for each in movements)
+        refuse_upwards(*found)
+        others = [describe(*each[other], None, None).angle_rmse for other in each if other != best]
+        voluntary = any(one.voluntary for one in self.movements)
 
         def described(found: tuple[Problem, SearchResult]) -> FitResult:
             return describe(*found, best if voluntary else None, others[0] if others else None)
 
-        result = described((problem, ended))
-        if not handled or at_once or belief.rig:
+        result = described(found)
+        if not self.handled or self.at_once or belief.rig:
             return result, []
         swinging = without_slow_release(
-            (problem, ended),
-            lambda kept: search_of(belief, kept, best, FEW),
+            found,
+            lambda kept: self.search(belief, kept, best, FEW),
             lambda found: described(found).follows,
             bent=result.follows,
         )
         if swinging is None:
             return result, []
-        found = search_of(belief, swinging, best)
-        if upwards(*found):
-            raise ValueError(UPWARDS)
+        found = self.search(belief, swinging, best, self.multistart)
+        refuse_upwards(*found)
         return described(found), of_slow(swinging)
 
-    result, slow = fitted(belief)
-    if whole and strange(result):
-        with suppress(ArithmeticError, ValueError):  # where it finds no leg, the first one stands
-            untabled, beside = fitted(without_tables(belief))
-            if untabled.follows and contradicted(untabled):
-                result, slow = untabled, beside
-    aside = [*amount.notes, *left_out(amount.parts, movements)]
-    return with_aside(result, [*aside, *slow])
+
+def refuse_upwards(problem: Problem, found: SearchResult) -> None:
+    """**Raises** `ValueError` where gravity comes out upwards."""
+    if upwards(problem, found):
+        raise ValueError(UPWARDS)
+
+
+def begin(
+    movements: list[Movement], belief: Belief, reading: str, count: int, seed: int
+) -> np.ndarray:
+    """The starts: two informed ones, from anatomy and from inverse dynamics, the rest drawn."""
+    starts, typical = draw(count, seed, belief.limits), belief.typical
+    if typical.keys() >= {*NAMES}:
+        starts[0] = [*(typical[name] for name in NAMES), 0.0]
+    mass, inertia = (typical.get(*each) for each in MIDDLING.items())
+    if belief.rig and all_driven(movements):
+        guess = driven(movements, mass)
+    else:
+        guess = informed(movements, reading, mass, inertia)
+    if count > 1 and guess is not None:
+        starts[1] = guess
+    return starts
+
+
+def by_slsqp(problem: Problem, starts: np.ndarray, terms: tuple[Term, ...]) -> SearchResult:
+    """The search by the reference method."""
+    from exoid.fitting.reference.slsqp import search_slsqp
+
+    with jax.enable_x64(True):  # finite differences of a float32 loss lead nowhere
+        return search_slsqp(problem, starts, terms)
 
 
 def classes_of(terms: Sequence[type[Term] | Term]) -> tuple[type[Term], ...]:
@@ -200,103 +267,10 @@ def classes_of(terms: Sequence[type[Term] | Term]) -> tuple[type[Term], ...]:
     return classes
 
 
-def movements_of(named: list[tuple[str, Recording]], *, clip: Clip = "free") -> list[Movement]:
-    """Every segment of every recording that moves, as it enters a fit.
-
-    **Raises** `ValueError` where none moves, or one cannot be fitted.
-    """
-    return movements_in(parts_of(named), clip=clip)
-
-
-def movements_in(parts: list[Part], *, clip: Clip = "free") -> list[Movement]:
-    """The same of these segments."""
-    found, still = [], []
-    for part in parts:
-        try:
-            found.append(movement(part.recording, part.number, part.name, part.belongs, clip=clip))
-        except Motionless as fault:
-            still.append(fault)
-    if not found:
-        raise still[0]
-    return found
-
-
-def left_out(parts: list[Part], movements: list[Movement]) -> list[str]:
-    """A note of the segments in which nothing moves that could be fitted."""
-    moved = {each.name for each in movements}
-    still = [part.name for part in parts if part.name not in moved]
-    if not still:
-        return []
-    which = f"segment {still[0]} was" if len(still) == 1 else f"segments {', '.join(still)} were"
-    return [f"{which} left out: nothing moves freely in there, or hardly ever"]
-
-
 def with_aside(result: FitResult, aside: list[str]) -> FitResult:
     """With what was left out of the recordings, behind why a fit that is astray is."""
     first = [] if result.follows else result.notes[:1]
     return replace(result, set_aside=aside, notes=[*first, *aside, *result.notes[len(first) :]])
-
-
-def check_one_leg(named: list[tuple[str, Recording]]) -> None:
-    """Refuse recordings whose sidecars speak of different people, sides or bodies."""
-    for key, unit, most in APART:
-        known = {
-            name: value
-            for name, recording in named
-            if (value := getattr(recording.subject, key)) is not None
-        }
-        if not known:
-            continue
-        low, high = min(known, key=known.__getitem__), max(known, key=known.__getitem__)
-        if known[high] - known[low] > most:
-            raise ValueError(
-                f"{low} says {key} {known[low]:g} {unit}, {high} says {known[high]:g} {unit}: "
-                "recordings that are fitted together are of one leg. Fit them apart, or mend "
-                "the sidecars."
-            )
-    for key in ("id", "side"):
-        known = {
-            value: name
-            for name, recording in named
-            if (value := getattr(recording.subject, key)) is not None
-        }
-        if len(known) > 1:
-            (one, first), (other, second) = list(known.items())[:2]
-            raise ValueError(
-                f"{first} is of {key} {one}, {second} of {key} {other}: recordings that are fitted "
-                "together are of one leg. Fit them apart, or mend the sidecars."
-            )
-    if len({recording.subject.kind == "rig" for _, recording in named}) > 1:
-        raise ValueError("some recordings are of a rig, others of a leg: fit them apart.")
-    for at, (name, recording) in enumerate(named):
-        for other, again in named[at + 1 :]:
-            if same_samples(recording, again):
-                raise ValueError(f"{name} and {other} hold the same samples: give each only once.")
-
-
-def same_samples(one: Recording, other: Recording) -> bool:
-    """Is it the same recording twice?"""
-    first, again = one.segments[0].channels(), other.segments[0].channels()
-    return first.keys() == again.keys() and all(
-        np.array_equal(samples, again[name], equal_nan=True) for name, samples in first.items()
-    )
-
-
-def begin(
-    movements: list[Movement], belief: Belief, reading: str, count: int, seed: int
-) -> np.ndarray:
-    """The starts: two informed ones, from anatomy and from inverse dynamics, the rest drawn."""
-    starts, typical = draw(count, seed, belief.limits), belief.typical
-    if typical.keys() >= {*NAMES}:
-        starts[0] = [*(typical[name] for name in NAMES), 0.0]
-    mass, inertia = (typical.get(*each) for each in MIDDLING.items())
-    if belief.rig and all_driven(movements):
-        guess = driven(movements, mass)
-    else:
-        guess = informed(movements, reading, mass, inertia)
-    if count > 1 and guess is not None:
-        starts[1] = guess
-    return starts
 
 
 def plainly(each: Movement) -> Movement:
@@ -310,11 +284,3 @@ def readings(named: list[tuple[str, Recording]], movements: list[Movement]) -> t
     if not any(each.voluntary for each in movements):
         return READINGS[:1]
     return tuple(sorted(said)) if said else READINGS  # type: ignore[arg-type]
-
-
-def by_slsqp(problem: Problem, starts: np.ndarray, terms: tuple[Term, ...]) -> SearchResult:
-    """The search by the reference method."""
-    from exoid.fitting.reference.slsqp import search_slsqp
-
-    with jax.enable_x64(True):  # finite differences of a float32 loss lead nowhere
-        return search_slsqp(problem, starts, terms)
