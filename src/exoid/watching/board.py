@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from exoid.watching.beside.goals import Goal
 from exoid.watching.beside.next_movement import Advice
 from exoid.watching.beside.refinement import Refined
+from exoid.watching.estimate.left_out import LeftOut
 from exoid.watching.estimate.moment import Moment
 
 MOST = 600  # points of the history; of more, every second one is dropped
@@ -13,10 +14,13 @@ MOST = 600  # points of the history; of more, every second one is dropped
 
 @dataclass(frozen=True)
 class Ended:
-    """A drop that has ended, with a weight [kg] on the leg, and what was known then."""
+    """A drop that has ended, with a weight [kg] on the leg, and what was known then; it counts
+    until a time [s].
+    """
 
     weight: float
     moment: Moment
+    until: float
 
 
 @dataclass(frozen=True)
@@ -40,7 +44,7 @@ class Board:
     filtered: bool = False
     moment: Moment | None = None
     reached: bool = False
-    ended: tuple[Ended, ...] = ()
+    movements: tuple[Ended | LeftOut, ...] = ()  # as it became clear what each of them was
     advice: Advice | None = None
     refined: Refined | None = None
     unrefined: str | None = None  # why no fit was made
@@ -49,6 +53,21 @@ class Board:
     silent: float = 0.0  # s since the last sample
     history: list[Moment] = field(default_factory=list)
     number: int = 0  # of the changes so far
+
+    @property
+    def ended(self) -> list[Ended]:
+        """The drops on which the numbers rest: of this leg, and none that was taken back."""
+        found: list[Ended] = []
+        for each in self.movements:
+            if isinstance(each, LeftOut):
+                found = [drop for drop in found if drop.moment.begun != each.begun]
+            else:
+                found = [*found[: each.moment.drops - 1], each]
+        return found
+
+    @property
+    def left_out(self) -> list[LeftOut]:
+        return [each for each in self.movements if isinstance(each, LeftOut)]
 
     def show(self, moment: Moment) -> None:
         """A new moment."""

@@ -13,6 +13,7 @@ from exoid.watching.beside.coach import Coach
 from exoid.watching.beside.goals import reached
 from exoid.watching.beside.refinement import Refinement
 from exoid.watching.board import Board, Ended
+from exoid.watching.estimate.left_out import LeftOut
 from exoid.watching.estimate.leg import Leg, LegDrop
 from exoid.watching.estimate.moment import Moment
 
@@ -66,6 +67,8 @@ class Follower:
                 return
             if isinstance(news, LegDrop):
                 self.ended(news)
+            elif isinstance(news, LeftOut):
+                self.left_out(news)
             else:
                 self.told(news)
 
@@ -75,13 +78,18 @@ class Follower:
         for sink in self.sinks:
             sink(moment)
 
+    def left_out(self, left: LeftOut) -> None:
+        """A movement does not count, or no longer."""
+        assert self.company is not None
+        self.board.movements = (*self.board.movements, left)
+        if self.company.refinement is not None:
+            self.company.refinement.leave_out(left)
+
     def ended(self, drop: LegDrop) -> None:
         """A drop has ended: what to do next, and what the batch fit says, is found beside this."""
         assert self.company is not None
-        self.board.ended = (
-            *self.board.ended,
-            Ended(drop.mass.weight, drop.moment),
-        )
+        ended = Ended(drop.mass.weight, drop.moment, drop.until)
+        self.board.movements = (*self.board.movements, ended)
         if self.company.coach is not None:
             self.company.coach.ask(drop.beliefs, drop.mass, drop.moment.time)
         if self.company.refinement is not None:

@@ -6,12 +6,13 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from exoid.cli.live.saying import words
+from exoid.cli.live.saying.movements import movement
 from exoid.cli.terminal.say import say
 from exoid.cli.terminal.screen import NOBODY
 from exoid.files.visible import visible
 
 if TYPE_CHECKING:
-    from exoid.watching.board import Board, Ended
+    from exoid.watching.board import Board
 
 EVERY = 0.1  # s between two drawings, at least
 ROWS = 7  # of the table: a panel that grows and shrinks is not calm
@@ -27,7 +28,7 @@ class Panel:
         self.live: Any = None
         self.drawn = 0.0
         self.said: dict[str, str] = {}
-        self.told = 0  # drops
+        self.told = 0  # movements
 
     def __enter__(self) -> "Panel":
         if sys.stderr.isatty():
@@ -76,24 +77,15 @@ class Panel:
             "fit": words.batch(self.board),
             "if slack": words.open_if_slack(self.board),
         }
-        for ended in self.board.ended[self.told :]:
-            say(f"exoid: {drop_line(ended)}", err=True)
-        self.told = len(self.board.ended)
+        movements = self.board.movements
+        for each in movements[self.told :]:
+            say(f"exoid: {movement(each)}", err=True)
+        self.told = len(movements)
         for key, line in news.items():
             if line and line != self.said.get(key):
                 now = "" if self.board.moment is None else f"{self.board.moment.time:.1f} s, "
                 say(f"exoid: {now}{key}: {line}", err=True)
                 self.said[key] = line
-
-
-def drop_line(ended: "Ended") -> str:
-    """A drop that has ended, and what was known then."""
-    moment = ended.moment
-    loaded = f" with {ended.weight:g} kg" if ended.weight else ""
-    known = "; ".join(
-        f"{words.title(each.name)} {words.stated(each)}" for each in moment.quantities.values()
-    )
-    return f"{moment.time:.1f} s, drop {moment.drops}{loaded}: {known or moment.trust.words}"
 
 
 def drawing(board: "Board", name: str) -> Any:

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from exoid.cli.live.saying import words
+from exoid.cli.live.saying.movements import left_out
 from exoid.cli.terminal.say import say
 
 if TYPE_CHECKING:
@@ -43,7 +44,7 @@ def lines(board: "Board") -> list[str]:
     seconds = (
         "" if board.moment is None else f"{board.moment.time:.1f} s, {words.all_drops(board)}; "
     )
-    said = [f"{seconds}{words.trust(board)}", *found]
+    said = [f"{seconds}{words.trust(board)}", *left_out(board), *found]
     said += filter(None, [words.unseen(board), words.allowance(board), words.batch(board)])
     said += filter(None, [words.if_slack(board)])
     if (then := words.advice(board)) != "":

@@ -16,6 +16,7 @@ import numpy as np
 from exoid.online.model.model import Model
 from exoid.recordings.recording import Subject
 from exoid.watching.estimate.known import RATIOS
+from exoid.watching.estimate.left_out import LeftOut
 from exoid.watching.estimate.leg import LegDrop
 
 LEAST = np.radians(10.0)  # that a leg swings in a drop which a fit can use
@@ -55,6 +56,10 @@ class Refinement:
             self.drops = []
         if np.ptp(drop.segment.best_angle[np.isfinite(drop.segment.best_angle)]) >= LEAST:
             self.drops = [*self.drops, drop]
+
+    def leave_out(self, left: LeftOut) -> None:
+        """A drop that was added may not count after all."""
+        self.drops = [each for each in self.drops if each.moment.begun != left.begun]
 
     def look(self) -> None:
         """Take what is done, and begin what waits."""

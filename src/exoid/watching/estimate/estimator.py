@@ -14,6 +14,7 @@ from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.recordings.recording import Segment
 from exoid.watching.estimate.known import RATIOS, told_of
+from exoid.watching.estimate.left_out import LeftOut, Strays
 from exoid.watching.estimate.moment import Moment, Quantity
 from exoid.watching.estimate.online import at_begin, init, replay, segment_of
 
@@ -52,6 +53,7 @@ class Estimator:
         self.others: tuple[Quantity, ...] = ()
         self.rows: list[Rows] = []  # the last samples
         self.said: list[Outlook] = []  # and what was said after each of them
+        self.strays = Strays()
 
     def warm(self) -> None:
         """Have the programs compiled or loaded, and forget what they said."""
@@ -59,7 +61,7 @@ class Estimator:
         replay(self.belief, Sample(*nothing.T), self.model)
         told_of(self.belief, self.model, torque=False)
 
-    def take(self, readings: Sequence[Reading]) -> Iterator[Moment | Drop]:
+    def take(self, readings: Sequence[Reading]) -> Iterator[Moment | Drop | LeftOut]:
         """What is to be told after these samples."""
         for part in parts_of(readings):
             rows = np.zeros((len(part), COLUMNS))
@@ -69,7 +71,7 @@ class Estimator:
             if part[-1].begins:
                 self.belief = at_begin(self.belief, self.model)
 
-    def absorbed(self, rows: Rows) -> Iterator[Moment | Drop]:
+    def absorbed(self, rows: Rows) -> Iterator[Moment | Drop | LeftOut]:
         """The rows up to the first that ends a drop, then the others."""
         while len(rows):
             belief, outlook = replay(self.belief, Sample(*rows.T), self.model)
@@ -80,6 +82,7 @@ class Estimator:
             self.belief = belief
             self.keep(rows[:part], outlook)
             yield from self.moments(rows[:part], outlook)
+            yield from self.left_out(outlook)
             if changes.size:
                 yield from self.ended(rows[part - 1], outlook, part - 1)
             rows = rows[part:]
@@ -90,6 +93,13 @@ class Estimator:
         self.said.append(outlook)
         while self.rows[-1][-1, 0] - self.rows[0][-1, 0] > KEPT:
             del self.rows[0], self.said[0]
+
+    def left_out(self, outlook: Outlook) -> Iterator[LeftOut]:
+        """The movements of which it is clear by now that they do not count."""
+        if self.strays.is_as_before(outlook):
+            return
+        every = np.concatenate(self.rows)
+        yield from self.strays.found(every[:, 0], every[:, 1], outlook)
 
     def moments(self, rows: Rows, outlook: Outlook) -> Iterator[Moment]:
         marks = np.floor(rows[:, 0] / EVERY + ROUNDING)

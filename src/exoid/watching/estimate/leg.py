@@ -10,6 +10,7 @@ from exoid.recordings.live.decoding.reading import Reading
 from exoid.recordings.recording import Segment, Subject
 from exoid.watching.estimate.estimator import Drop, Estimator
 from exoid.watching.estimate.known import ABSOLUTE, RATIOS, SCALED
+from exoid.watching.estimate.left_out import CUT, TORN, LeftOut
 from exoid.watching.estimate.load import Load, Mass, expected_with
 from exoid.watching.estimate.moment import Moment, Quantity
 from exoid.watching.estimate.online import Belief
@@ -41,6 +42,11 @@ class LegDrop:
     moment: Moment
     beliefs: Mapping[Mass, Belief]
 
+    @property
+    def until(self) -> float:
+        """When it ended to count [s]."""
+        return float(self.segment.begins + self.segment.time[-1])
+
 
 class Leg:
     """Takes samples, and says of the bare leg what all weights told."""
@@ -69,7 +75,7 @@ class Leg:
             self.estimators[mass] = Estimator(expected, self.person.model)
         return self.estimators[mass]
 
-    def take(self, readings: Sequence[Reading]) -> Iterator[Moment | LegDrop]:
+    def take(self, readings: Sequence[Reading]) -> Iterator[Moment | LegDrop | LeftOut]:
         """What is to be told after these samples."""
         begin = 0
         for at, each in enumerate(readings if self.load.known else ()):
@@ -79,9 +85,12 @@ class Leg:
                 begin, self.now = at, mass
         yield from self.taken(readings[begin:])
 
-    def taken(self, readings: Sequence[Reading]) -> Iterator[Moment | LegDrop]:
+    def taken(self, readings: Sequence[Reading]) -> Iterator[Moment | LegDrop | LeftOut]:
         estimator = self.estimator_of(self.now)
         for news in estimator.take(readings):
+            if isinstance(news, LeftOut):
+                yield self.foreseen(news)
+                continue
             moment = self.settled(news if isinstance(news, Moment) else news.moment)
             moment = self.of_all(moment)
             if isinstance(news, Drop):
@@ -89,10 +98,18 @@ class Leg:
             else:
                 yield moment
 
+    def foreseen(self, left: LeftOut) -> LeftOut:
+        """A pause that was foreseen lost no samples."""
+        cut = left.why == TORN and self.is_paused(left.time)
+        return replace(left, why=CUT) if cut else left
+
+    def is_paused(self, time: float) -> bool:
+        """Was there a pause, or another weight, just before?"""
+        return time < self.load.paused(time) + SETTLING
+
     def settled(self, moment: Moment) -> Moment:
         """A pause that was foreseen is no fault of the stream: what was said before still holds."""
-        paused = moment.time < self.load.paused(moment.time) + SETTLING
-        if moment.trust is Trust.FAULTY and paused:
+        if moment.trust is Trust.FAULTY and self.is_paused(moment.time):
             return replace(moment, trust=self.said)
         self.said = moment.trust
         return moment

@@ -191,8 +191,9 @@ def drops(board: "Board") -> str:
 
 
 def ended(board: "Board") -> str:
-    """How many drops have ended."""
-    return f"{len(board.ended)} drop{'' if len(board.ended) == 1 else 's'}"
+    """On how many drops that have ended the numbers rest, and how many movements do not count."""
+    count, left = len(board.ended), len({each.begun for each in board.left_out})
+    return f"{count} drop{'' if count == 1 else 's'}" + (f", {left} left out" if left else "")
 
 
 def unseen(board: "Board") -> str:

@@ -1,0 +1,94 @@
+"""Movements that began as free ones and do not count: which, and why."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from exoid.online.model.trust import Phase, Trust
+from exoid.online.outlook import Outlook
+
+TORN = "samples were lost in it"
+CUT = "its segment ended in it"
+STRAYED = (
+    "it soon moved as no leg does by itself (a hand, a sensor, or something missing in the model)"
+)
+BACK = np.radians(2.0)  # rad that a leg has come back which is past the bottom of its first fall
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """A movement that does not count."""
+
+    time: float  # s, when that was clear
+    begun: float  # s
+    why: str
+    falling: bool  # did it stray in its first fall, before the leg turned?
+
+
+class Stand(NamedTuple):
+    """What is said after a sample."""
+
+    phase: int
+    drops: int
+    trust: int
+
+
+class Strays:
+    """Follows what an estimator says; a movement that strays may still be explained anew, until
+    it has swung on or has come to rest.
+    """
+
+    def __init__(self):
+        self.stand = Stand(int(Phase.HELD), 0, int(Trust.WAITING))
+        self.pending: LeftOut | None = None
+
+    def is_as_before(self, said: Outlook) -> bool:
+        return bool((columns_of(said) == np.array(self.stand)[:, None]).all())
+
+    def found(
+        self, time: Float[np.ndarray, " time"], angle: Float[np.ndarray, " time"], said: Outlook
+    ) -> Iterator[LeftOut]:
+        """What is left out by the last samples; `time` and `angle` may begin before those."""
+        columns = columns_of(said)
+        first = time.size - columns.shape[1]
+        before = np.column_stack([self.stand, columns[:, :-1]])
+        for at in np.flatnonzero((columns != before).any(axis=0)):
+            now, begun = Stand(*columns[:, at].tolist()), float(np.asarray(said.begun)[at])
+            seen = slice(int(np.searchsorted(time, begun)), first + int(at) + 1)
+            left = LeftOut(float(time[first + at]), begun, STRAYED, is_falling(angle[seen]))
+            yield from self.judged(now, left)
+            self.stand = now
+
+    def judged(self, now: Stand, left: LeftOut) -> Iterator[LeftOut]:
+        """Is the movement out by what is said now?"""
+        held, counted = now.phase == Phase.HELD, now.drops - self.stand.drops
+        if held and counted < 0:
+            yield left
+        elif held and not counted and self.stand.phase == Phase.MOVING:
+            torn = now.trust == Trust.FAULTY
+            self.pending = LeftOut(left.time, left.begun, TORN, left.falling) if torn else left
+        if self.pending is not None and (is_clear(now) or self.pending.why == TORN):
+            yield self.pending
+            self.pending = None
+
+
+def columns_of(said: Outlook) -> Int[np.ndarray, "3 time"]:
+    return np.stack([np.asarray(each) for each in (said.phase, said.drops, said.trust)])
+
+
+def is_clear(now: Stand) -> bool:
+    """Has it swung on, or is the leg at rest?"""
+    swings = now.phase == Phase.HELD and now.trust == Trust.UNEXPLAINED
+    return swings or now.phase in (Phase.WAITING, Phase.MOVING)
+
+
+def is_falling(angle: Float[np.ndarray, " time"]) -> bool:
+    """Is a leg still on its first way from where it was let go?"""
+    seen = angle[np.isfinite(angle)]
+    if not seen.size:
+        return True
+    way = np.abs(seen - seen[0])
+    return bool(way.max() - way[-1] < BACK)
