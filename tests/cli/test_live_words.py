@@ -8,6 +8,7 @@ from exoid.cli.live.page.state import now
 from exoid.cli.live.panel import bar
 from exoid.cli.live.result import lines
 from exoid.cli.live.saying import words
+from exoid.cli.live.saying.movements import all_drops
 from exoid.cli.live.session import Session
 from exoid.cli.live.watched import Watched
 from exoid.cli.live.weighing import UNMARKED, Weighing
@@ -88,9 +89,9 @@ def test_where_another_drop_would_hardly_change_a_thing_none_is_asked_for():
 
 def test_a_drop_that_moves_as_a_recording_ends_is_told_beside_those_that_ended():
     board = board_of(Trust.ENOUGH)
-    assert words.all_drops(board) == "0 drops so far"
+    assert all_drops(board) == "0 drops so far"
     board.show(Moment(2.0, -1.0, 0.0, Phase.MOVING, Trust.ENOUGH, 1, KNOWN, KNOWN))
-    assert words.all_drops(board) == "0 drops, and one that still moved at the end"
+    assert all_drops(board) == "0 drops, and one that still moved at the end"
 
 
 def test_where_a_stream_held_no_drop_it_is_said_when_one_is_seen():

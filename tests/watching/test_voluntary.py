@@ -11,6 +11,7 @@ from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
 from exoid.watching.estimate.leg import Leg, LegDrop
 from exoid.watching.estimate.load import Load, Mass
+from exoid.watching.estimate.moment import Moment
 
 FROM = 57.0  # s, from when on the leg of the session is moved by its muscles
 TERMS = [(), (CoulombFriction,), (QuadraticDrag,)]
@@ -20,7 +21,7 @@ def followed(person, terms, load, readings):
     """All that is told of the readings, and the drops of it."""
     leg = Leg(replace(person, model=Model(Unknowns(terms))), load)
     told = list(leg.take(readings))
-    return [each for each in told if not isinstance(each, LegDrop)], [
+    return [each for each in told if isinstance(each, Moment)], [
         each for each in told if isinstance(each, LegDrop)
     ]
 

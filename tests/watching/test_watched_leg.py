@@ -12,6 +12,7 @@ from exoid.online.model.unknowns import Unknowns
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.recordings.recording import Subject
 from exoid.watching.estimate.expect import expected_of, is_known
+from exoid.watching.estimate.left_out import LeftOut
 from exoid.watching.estimate.leg import Leg, LegDrop
 from exoid.watching.estimate.load import Load, Mass, constant_load, expected_with
 from exoid.watching.estimate.moment import Moment
@@ -29,6 +30,9 @@ def numbers(told) -> list[tuple]:
     """Everything of it that is a number, in order."""
     found = []
     for each in told:
+        if isinstance(each, LeftOut):
+            found.append((each.time, each.begun))
+            continue
         moment = each if isinstance(each, Moment) else each.moment
         known = [
             value for one in (*moment.ratios, *moment.others) for value in (one.value, one.error)

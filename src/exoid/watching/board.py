@@ -69,6 +69,11 @@ class Board:
     def left_out(self) -> list[LeftOut]:
         return [each for each in self.movements if isinstance(each, LeftOut)]
 
+    @property
+    def falls_astray(self) -> bool:
+        """Did the leg stray in first falls alone? So it does where a hand lets go of it slowly."""
+        return bool(self.left_out) and all(each.falling for each in self.left_out)
+
     def show(self, moment: Moment) -> None:
         """A new moment."""
         self.moment = moment

@@ -6,7 +6,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from exoid.cli.live.saying import words
-from exoid.cli.live.saying.movements import movement
+from exoid.cli.live.saying.movements import drops, movement
 from exoid.cli.terminal.say import say
 from exoid.cli.terminal.screen import NOBODY
 from exoid.files.visible import visible
@@ -100,9 +100,7 @@ def drawing(board: "Board", name: str) -> Any:
         color = "red"
     lines = [
         Text(visible(board.stream), no_wrap=True, overflow="ellipsis"),
-        Text.assemble(
-            (words.doing(board) or " ", "bold"), "   ", words.drops(board), weight(board)
-        ),
+        Text.assemble((words.doing(board) or " ", "bold"), "   ", drops(board), weight(board)),
         Text(visible(words.trust(board)), style=color, no_wrap=True, overflow="ellipsis"),
         Text(),
         table(board),

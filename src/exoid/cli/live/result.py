@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from exoid.cli.live.saying import words
-from exoid.cli.live.saying.movements import left_out
+from exoid.cli.live.saying.movements import all_drops, left_out
 from exoid.cli.terminal.say import say
 
 if TYPE_CHECKING:
@@ -41,12 +41,10 @@ def lines(board: "Board") -> list[str]:
         for each in words.quantities(board)
         for value, error in [words.rounded(each.value, each.error)]
     ]
-    seconds = (
-        "" if board.moment is None else f"{board.moment.time:.1f} s, {words.all_drops(board)}; "
-    )
+    seconds = "" if board.moment is None else f"{board.moment.time:.1f} s, {all_drops(board)}; "
     said = [f"{seconds}{words.trust(board)}", *left_out(board), *found]
-    said += filter(None, [words.unseen(board), words.allowance(board), words.batch(board)])
-    said += filter(None, [words.if_slack(board)])
+    beside = words.unseen, words.other_limb, words.allowance, words.batch, words.if_slack
+    said += filter(None, (each(board) for each in beside))
     if (then := words.advice(board)) != "":
         said.append(f"next: {then}")
     return said

@@ -14,9 +14,10 @@ from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.recordings.recording import Segment
 from exoid.watching.estimate.known import RATIOS, told_of
-from exoid.watching.estimate.left_out import LeftOut, Strays
+from exoid.watching.estimate.left_out import STRAYED, LeftOut, Strays
 from exoid.watching.estimate.moment import Moment, Quantity
 from exoid.watching.estimate.online import at_begin, init, replay, segment_of
+from exoid.watching.estimate.other_limb import other_limb
 
 EVERY = 0.1  # s of the stream between two moments
 TOGETHER = 256  # samples that are handed over at once, at most
@@ -44,8 +45,10 @@ class Estimator:
     What it gives depends on the samples alone, not on when they come.
     """
 
-    def __init__(self, expected: ExpectedLeg, model: Model):
-        self.model = model
+    def __init__(self, expected: ExpectedLeg, model: Model, *, loaded: bool = False):
+        self.expected, self.model = expected, model
+        self.may_be_other = not loaded  # what a mass tells is told of a whole leg
+        self.other = False  # is it no whole leg?
         self.belief = init(expected, model)
         self.mark: float | None = None  # number of the last moment
         self.drops = 0
@@ -99,7 +102,23 @@ class Estimator:
         if self.strays.is_as_before(outlook):
             return
         every = np.concatenate(self.rows)
-        yield from self.strays.found(every[:, 0], every[:, 1], outlook)
+        for left in self.strays.found(every[:, 0], every[:, 1], outlook):
+            if not (left.why == STRAYED and self.is_other(every, left.begun)):
+                yield left
+
+    def is_other(self, rows: Rows, begun: float) -> bool:
+        """Is it no whole leg, of which nothing was known? It is asked once, of the first movement
+        that swung on, and followed as what it is from then on.
+        """
+        failed = self.strays.stand.trust == Trust.UNEXPLAINED
+        if self.drops or not (failed and self.may_be_other):
+            return False
+        self.may_be_other = False
+        if (found := other_limb(self.expected, self.model, rows, begun)) is None:
+            return False
+        self.belief, self.other = found[0], True
+        self.strays.follow(found[1])
+        return True
 
     def moments(self, rows: Rows, outlook: Outlook) -> Iterator[Moment]:
         marks = np.floor(rows[:, 0] / EVERY + ROUNDING)
@@ -123,6 +142,7 @@ class Estimator:
             as_loaded=ratios,
             others=self.others,
             begun=float(outlook.begun[at]),
+            other_limb=self.other,
         )
 
     def ended(self, row: Row, outlook: Outlook, at: int) -> Iterator[Drop]:

@@ -13,7 +13,8 @@ from exoid.online.outlook import Outlook
 TORN = "samples were lost in it"
 CUT = "its segment ended in it"
 STRAYED = (
-    "it soon moved as no leg does by itself (a hand, a sensor, or something missing in the model)"
+    "it soon moved as no leg does by itself (a hand, a muscle, a sensor, or something missing in "
+    "the model)"
 )
 BACK = np.radians(2.0)  # rad that a leg has come back which is past the bottom of its first fall
 
@@ -59,20 +60,25 @@ class Strays:
             now, begun = Stand(*columns[:, at].tolist()), float(np.asarray(said.begun)[at])
             seen = slice(int(np.searchsorted(time, begun)), first + int(at) + 1)
             left = LeftOut(float(time[first + at]), begun, STRAYED, is_falling(angle[seen]))
-            yield from self.judged(now, left)
-            self.stand = now
+            before, self.stand = self.stand, now
+            yield from self.judged(before, left)
 
-    def judged(self, now: Stand, left: LeftOut) -> Iterator[LeftOut]:
+    def follow(self, said: Outlook) -> None:
+        """The last samples say something else by now."""
+        self.stand = Stand(*columns_of(said)[:, -1].tolist())
+
+    def judged(self, before: Stand, left: LeftOut) -> Iterator[LeftOut]:
         """Is the movement out by what is said now?"""
-        held, counted = now.phase == Phase.HELD, now.drops - self.stand.drops
+        now = self.stand
+        held, counted = now.phase == Phase.HELD, now.drops - before.drops
         if held and counted < 0:
             yield left
-        elif held and not counted and self.stand.phase == Phase.MOVING:
+        elif held and not counted and before.phase == Phase.MOVING:
             torn = now.trust == Trust.FAULTY
             self.pending = LeftOut(left.time, left.begun, TORN, left.falling) if torn else left
         if self.pending is not None and (is_clear(now) or self.pending.why == TORN):
-            yield self.pending
-            self.pending = None
+            left, self.pending = self.pending, None
+            yield left
 
 
 def columns_of(said: Outlook) -> Int[np.ndarray, "3 time"]:

@@ -72,7 +72,7 @@ class Leg:
     def estimator_of(self, mass: Mass) -> Estimator:
         if mass not in self.estimators:
             expected = expected_with(self.person.expected, mass)
-            self.estimators[mass] = Estimator(expected, self.person.model)
+            self.estimators[mass] = Estimator(expected, self.person.model, loaded=self.load.known)
         return self.estimators[mass]
 
     def take(self, readings: Sequence[Reading]) -> Iterator[Moment | LegDrop | LeftOut]:

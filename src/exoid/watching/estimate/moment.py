@@ -37,6 +37,7 @@ class Moment:
     as_loaded: tuple[Quantity, ...]
     others: tuple[Quantity, ...] = ()
     begun: float = -inf  # s, when the last free movement began, whether it counted or not
+    other_limb: bool = False  # is m l g / J none of a whole leg?
 
     @property
     def believed(self) -> bool:

@@ -4,6 +4,7 @@ from typing import Any
 
 from exoid.cli.live.saying import words
 from exoid.cli.live.saying.json_lines import document, number
+from exoid.cli.live.saying.movements import drops
 from exoid.files.visible import visible
 from exoid.watching.board import Board
 from exoid.watching.estimate.known import ABSOLUTE, RATIOS
@@ -23,7 +24,7 @@ def now(board: Board) -> dict[str, Any]:
         "doing": words.doing(board),
         "over": board.over,
         "stream": visible(board.stream),
-        "drops": words.drops(board),
+        "drops": drops(board),
         "weight": words.weight(board),
         "next": raised(visible(words.advice(board))),
         "fit": "; ".join(filter(None, [visible(words.batch(board)), words.if_slack(board)])),

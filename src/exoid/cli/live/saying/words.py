@@ -27,6 +27,15 @@ DIAGNOSE = (
     "something is missing in the model: exoid diagnose tells what, of a recording of it (-o); then "
     "exoid live --with TERM"
 )
+BY_HAND = (
+    "let go of it at once: every movement strayed in its first fall, as where a hand lets go "
+    "slowly. exoid fit of a recording (-o) leaves such a fall out; exoid diagnose tells any other "
+    "cause"
+)
+OTHER_LIMB = (
+    "gravity over inertia is that of no whole leg: it is followed as another limb, as a stump. Of "
+    "a whole leg, check unit and scale of angle and time"
+)
 OPEN = (2, ENOUGH)  # trusts that would say good, or enough, while a goal is open
 ALLOWANCE = (
     "± holds what no drop tells: where a foot puts the centre of mass (give "
@@ -130,7 +139,7 @@ def enough(board: "Board") -> bool:
 def next_movement(board: "Board") -> str:
     """What to do, while there is something left to do."""
     if unexplained(board):
-        return DIAGNOSE
+        return BY_HAND if board.falls_astray else DIAGNOSE
     found = standing(board)
     return "" if found is None or enough(board) else found.words
 
@@ -186,16 +195,6 @@ def if_slack(board: "Board") -> str:
     return found and IF_SLACK.format(found)
 
 
-def drops(board: "Board") -> str:
-    return f"{ended(board)} so far"
-
-
-def ended(board: "Board") -> str:
-    """On how many drops that have ended the numbers rest, and how many movements do not count."""
-    count, left = len(board.ended), len({each.begun for each in board.left_out})
-    return f"{count} drop{'' if count == 1 else 's'}" + (f", {left} left out" if left else "")
-
-
 def unseen(board: "Board") -> str:
     """Why there may be no drop, of a stream that is over and only waited for one."""
     if board.ended or board.moment is None or int(board.moment.trust) != WAITING:
@@ -203,12 +202,12 @@ def unseen(board: "Board") -> str:
     return LED.format(board.moment.begun) if isfinite(board.moment.begun) else UNSEEN
 
 
+def other_limb(board: "Board") -> str:
+    """That it is no whole leg."""
+    other = board.moment is not None and board.moment.other_limb and quantities(board)
+    return OTHER_LIMB if other else ""
+
+
 def allowance(board: "Board") -> str:
     """What is in the errors beside what drops tell."""
     return ALLOWANCE if quantities(board) and board.ended else ""
-
-
-def all_drops(board: "Board") -> str:
-    """The drops of a stream that is over: one that still moves then is in the numbers, too."""
-    moving = board.moment is not None and int(board.moment.phase) == MOVING
-    return f"{ended(board)}, and one that still moved at the end" if moving else drops(board)

@@ -1,0 +1,115 @@
+"""Movements that do not count: each is told with its reason, and no number rests on it."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from exoid.online.model.trust import Phase, Trust
+from exoid.recordings.live.decoding.reading import Reading
+from exoid.watching.board import Board, Ended
+from exoid.watching.estimate.left_out import STRAYED, TORN, LeftOut, is_falling
+from exoid.watching.estimate.leg import Leg, LegDrop
+from exoid.watching.estimate.load import Load
+from exoid.watching.estimate.moment import Moment
+from exoid.watching.estimate.other_limb import other_limb
+from legs import ADULT, drop
+
+STUMP = (63.6, 28.0, 1.6)  # of a transtibial stump, ratios as of `ADULT`
+HELD = 1.0  # s before each drop
+APART = 20.0  # s from one drop to the next
+LIKELY = 4.0  # standard errors
+
+
+def stream(*segments):
+    """Drops one after the other, each held before it, and none of them lifted."""
+    found = []
+    for number, segment in enumerate(segments):
+        angle, rate = segment.raw_angle, segment.raw_angular_velocity
+        held = int(HELD / 0.01)
+        still = np.random.default_rng(number).normal(0.0, 8e-4, held)
+        time = number * APART + 0.01 * np.arange(held + angle.size)
+        angles = np.concatenate([angle[0] + still, angle])
+        rates = np.concatenate([still, rate])
+        found += [Reading(*row, 0.0) for row in np.column_stack([time, angles, rates]).tolist()]
+    return found
+
+
+def followed(person, readings):
+    told = list(Leg(person, Load()).take(readings))
+    moments = [each for each in told if isinstance(each, Moment)]
+    drops = [each for each in told if isinstance(each, LegDrop)]
+    return moments, drops, [each for each in told if isinstance(each, LeftOut)]
+
+
+def swings(leg=ADULT, **how):
+    return [drop(leg, start, seed=seed, duration=13.0, **how) for seed, start in enumerate(STARTS)]
+
+
+STARTS = (-0.2, -0.4, -0.3)  # rad
+
+
+def test_of_sound_drops_none_is_left_out(person):
+    _, drops, left = followed(person, stream(*swings()))
+    assert len(drops) == 3
+    assert left == []
+
+
+@pytest.mark.parametrize(("length", "why"), [(30, TORN), (15, STRAYED)])
+def test_a_drop_with_a_hole_is_left_out_and_it_is_said_why(person, length, why):
+    """A hole is seen in the time, or, where a logger counts its rows, in the motion alone."""
+    every = stream(*swings())
+    hole = next(n for n, each in enumerate(every) if each.time > APART + HELD + 0.9)
+    rest = every[hole + length :]
+    if why == STRAYED:
+        rest = [each._replace(time=each.time - 0.01 * length) for each in rest]
+    moments, drops, left = followed(person, every[:hole] + rest)
+    assert [each.why for each in left] == [why]
+    assert left[0].begun == pytest.approx(APART + HELD, abs=0.2)
+    assert [each.number for each in drops] == [1, 2]
+    assert abs(moments[-1].ratios[0].value - ADULT[0]) < LIKELY * moments[-1].ratios[0].error
+
+
+def test_a_stump_is_followed_and_called_no_whole_leg(person):
+    moments, drops, left = followed(person, stream(*swings(STUMP)))
+    assert len(drops) == 3
+    assert left == []
+    assert moments[-1].other_limb
+    for each, truth in zip(moments[-1].ratios, STUMP, strict=True):
+        assert abs(each.value - truth) < LIKELY * each.error, each
+
+
+def test_a_whole_leg_is_no_other_limb(person):
+    rows = np.zeros((300, 6))
+    rows[:, :4] = [each[:4] for each in stream(*swings()[:1])[:300]]
+    assert other_limb(person.expected, person.model, rows, HELD) is None
+
+
+def ended(number: int, begun: float) -> Ended:
+    moment = Moment(begun + 8.0, -1.3, 0.0, Phase.DONE, Trust.GOOD, number, (), (), begun=begun)
+    return Ended(0.0, moment, begun + 7.0)
+
+
+def test_the_drops_that_count_are_those_that_were_not_taken_back():
+    board, left = Board(), LeftOut(22.0, 18.0, STRAYED, falling=False)
+    board.movements = (ended(1, 2.0), ended(2, 18.0), left, ended(2, 34.0))
+    assert [each.moment.begun for each in board.ended] == [2.0, 34.0]
+    board.movements = (*board.movements, ended(1, 50.0))  # of another leg
+    assert [each.moment.begun for each in board.ended] == [50.0]
+
+
+def test_a_hand_is_thought_of_where_every_movement_strays_in_its_first_fall():
+    board, left = Board(), LeftOut(3.9, 3.7, STRAYED, falling=True)
+    assert not board.falls_astray
+    board.movements = (left, replace(left, begun=20.0))
+    assert board.falls_astray
+    board.movements = (left, replace(left, begun=20.0, falling=False))
+    assert not board.falls_astray
+
+
+def test_a_leg_falls_until_it_has_come_back_by_two_degrees():
+    way = -0.2 - 0.01 * np.arange(100)
+    back = way[-1] + 0.01 * np.arange(8)
+    assert is_falling(way)
+    assert is_falling(np.append(way, back[:3]))
+    assert not is_falling(np.append(way, back))
