@@ -31,7 +31,8 @@ def stream(*segments):
         time = number * APART + 0.01 * np.arange(held + angle.size)
         angles = np.concatenate([angle[0] + still, angle])
         rates = np.concatenate([still, rate])
-        found += [Reading(*row, 0.0) for row in np.column_stack([time, angles, rates]).tolist()]
+        rows = zip(*(each.tolist() for each in (time, angles, rates)), strict=True)
+        found += [Reading(*row, 0.0) for row in rows]
     return found
 
 
