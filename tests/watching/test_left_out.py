@@ -32,7 +32,7 @@ def stream(*segments):
         angles = np.concatenate([angle[0] + still, angle])
         rates = np.concatenate([still, rate])
         rows = zip(*(each.tolist() for each in (time, angles, rates)), strict=True)
-        found += [Reading(*row, 0.0) for row in rows]
+        found += [Reading(at, phi, speed, 0.0) for at, phi, speed in rows]
     return found
 
 
