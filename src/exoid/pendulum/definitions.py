@@ -15,7 +15,8 @@ exoid's own:
   takes the angle that its swings shrink to, with the band in which dry friction could hold the leg
   in its error; of others it is the relaxation index: whoever leaves cut records out leaves out the
   least damped legs;
-- at rest: within 2 deg of the resting angle, the mean over the last period of the record;
+- at rest: within 2 deg of the resting angle, which is the middle of what the leg still swings in
+  the last period of the record; where friction has stopped it, where it stands;
 - a swing: one that turns back by at least 1 deg (and by 8 times the noise of the angle
   smoothed over 0.1 s);
 - an oscillation: a flexion whose peak lies beyond the band of rest;

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.recordings.landmarks.dying_swing import STANDING, middle_of
 from exoid.recordings.landmarks.expected_rest import expected_rest
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import SURE, Peak, Track, nearest
@@ -45,15 +46,32 @@ def find_rest(track: Track, turns: list[Peak]) -> Rest:
             f"{np.degrees(swing):.3g} deg, {np.degrees(2 * BAND):.0f} are the most. Record until "
             "the leg hangs still"
         )
-    angle = float(track.angle[first:].mean())
-    error = float(
-        np.hypot(track.noise / np.sqrt(track.time.size - first), swing * loss(turns) / FADED)
-    )
+    angle, error = resting_angle(track, smooth, first, turns, track.smoothed_noise(width))
     check_free([float(smooth[0]), *(each.value for each in turns)], angle, turns)
     error = float(np.hypot(error, stopped_short(angle, turns)))
     middle = float(track.time[first:].mean())
     resting = Peak(nearest(track, middle), middle, lasting / 2, angle, error)
     return Rest(resting, entered(track, resting, smooth, slope, track.smoothed_noise(width)))
+
+
+def resting_angle(
+    track: Track, smooth: np.ndarray, first: int, turns: list[Peak], noise: float
+) -> tuple[float, float]:
+    """Where a leg rests, by what it does since that sample, and the error of it [rad]: the middle
+    of what is left of its swings, else the mean, which a swing that shrinks shifts.
+
+    A leg that swings otherwise may have been stopped by friction: where it stands still within the
+    `noise` of the smoothed angle at the end, that is its rest; else it is anywhere in its swing.
+    """
+    found = middle_of(track.time[first:], track.angle[first:], track.noise, turns)
+    if found is not None:
+        return found.value, found.error
+    count = track.time.size - first
+    stands = (part for part in STANDING if np.ptp(smooth[-int(part * count) :]) < 2 * SURE * noise)
+    begin = track.time.size - int(next(stands, 1.0) * count)
+    angle, swing = track.angle[begin:], float(np.ptp(smooth[begin:]))
+    off = swing / 12**0.5 if len(turns) > 2 else swing / FADED
+    return float(angle.mean()), float(np.hypot(track.noise / np.sqrt(angle.size), off))
 
 
 def stopped_short(angle: float, turns: list[Peak]) -> float:
@@ -81,14 +99,6 @@ def window(track: Track) -> float:
             f"{np.degrees(BAND):.0f} deg of its rest. Track at a higher rate, or the marker better"
         )
     return width
-
-
-def loss(turns: list[Peak]) -> float:
-    """The share of its amplitude that the last swing loses in a period; all of it, if unknown."""
-    if len(turns) < 3:
-        return 1.0
-    before, last, end = (each.value for each in turns[-3:])
-    return 1 - min(abs(end - last) / abs(last - before), 1.0) ** 2
 
 
 def last_period(turns: list[Peak]) -> float:
