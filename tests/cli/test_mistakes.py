@@ -166,3 +166,16 @@ def test_two_people_or_two_sides_are_not_fitted_together(tmp_path, key):
 )
 def test_a_file_more_than_a_command_takes_is_refused_with_what_it_takes(command, given, takes):
     assert f"{takes} a command of its own. Try 'exoid" in refusal(command(*given))
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (("--body-mass", "159lb"), "this is no plain number; give it in kg, as --body-mass 72"),
+        (("--height", "176cm"), "this is no plain number; give it in m, as --height 1.76"),
+        (("--zero", "180"), "write angle_zero_deg = 180 below [sensors] of the sidecar"),
+        (("--multistart", "2.5"), "this is no plain integer"),
+    ],
+)
+def test_a_value_that_an_option_does_not_take_is_answered_with_what_would_do(command, given, said):
+    assert said in refusal(command("fit", "a.csv", *given))

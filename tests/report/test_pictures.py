@@ -317,6 +317,15 @@ def test_a_figure_without_causes_that_ran_free_has_those_that_were_looked_at():
     assert [each.left for each in drawn[1:]] == [2.0, 40.0]
 
 
+def test_where_every_cause_leaves_as_much_as_the_baseline_none_is_said_to_explain_it():
+    one = found()
+    left = one.baseline.mean_square
+    flat = [replace(each, mean_square=0.995 * left) for each in (*one.pairs, *one.singles)]
+    as_much = replace(one, pairs=[], singles=flat, best=replace(one.best, mean_square=left))
+    assert causes_of(one).title == "what explains it"
+    assert causes_of(as_much).title == "no cause leaves less than Eq. 9"
+
+
 def test_a_cause_that_was_chosen_is_drawn_however_many_seem_better():
     one = found()
     better = [replace(one.best, terms=[f"a{n}"], evidence=6e3 + n, chosen=False) for n in range(9)]

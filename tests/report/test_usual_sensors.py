@@ -46,6 +46,7 @@ def test_the_first_sentence_says_that_nothing_of_the_leg_is_missing():
     assert "Where" not in lines
     assert lines["Found"].endswith("or rate of the clock, which would look exactly alike")
     assert "no fault" in lines["Reason"]
+    assert "Record next" not in sentences(replace(one, advice=["To tell drag apart: swing."]))
     assert one.verdict == "mismatch"  # for machines: Eq. 9 alone does not explain the recording
 
 

@@ -19,24 +19,21 @@ def check_results(folder: Path) -> None:
 
 def print_outcome(made: Any, results: Path, console: Any) -> None:
     """Counts, time, and why recordings failed."""
-    from rich.table import Table
+    from exoid.report.tables.table import Table, print_table
 
-    table = Table(title="Study", title_justify="left")
-    table.add_column("recordings")
-    table.add_column("", justify="right")
     told = f"{made.seconds:.1f} s"
     told += f", {pace(made.computed / made.seconds)}" if made.computed else ""
-    for name, value in (
-        ("all", made.recordings),
-        ("measured", made.ok),
-        ("failed", made.failed),
-        ("of these, measured in part", made.partly),
-        ("the same as another", made.duplicates),
-        ("computed now", made.computed),
-        ("time", told),
-    ):
-        table.add_row(name, str(value))
-    console.print(table)
+    counts = {
+        "all": made.recordings,
+        "measured": made.ok,
+        "failed": made.failed,
+        "of these, measured in part": made.partly,
+        "the same as another": made.duplicates,
+        "computed now": made.computed,
+        "time": told,
+    }
+    columns = {"recordings": list(counts), "": [str(each) for each in counts.values()]}
+    print_table(Table("", columns, "Study"), console)
     for reason, count in list(made.reasons.items())[:SHOWN]:
         console.print(visible(f"{count} failed, {reason}"), markup=False, highlight=False)
     if len(made.reasons) > SHOWN:

@@ -1,5 +1,6 @@
 """What went wrong, in one line for a person, and the exit code of it."""
 
+import re
 import sys
 from contextlib import suppress
 from traceback import walk_tb
@@ -10,6 +11,13 @@ from exoid.files.system_errors import told
 LIBRARIES = ("numpy", "scipy", "jax", "jaxlib", "equinox", "optimistix", "lineax", "diffrax")
 ONE_MORE = "Got unexpected extra argument(s) "
 INTERRUPTED = 130  # as shells have it: 128 and the number of the signal
+UNREAD = re.compile(r"Input should be a valid (number|integer), .*")
+INSTEAD = {  # what to do where an option's value is refused
+    "--body-mass": "give it in kg, as --body-mass 72 (a pound is 0.4536 kg)",
+    "--height": "give it in m, as --height 1.76",
+    "--zero": "of any other angle, as of a straight knee that reads 180 deg, write "
+    "angle_zero_deg = 180 below [sensors] of the sidecar",
+}
 
 
 def explain(fault: BaseException) -> int:
@@ -52,6 +60,7 @@ def explain_usage(fault: BaseException) -> int:
     if not isinstance(fault, TyperException):
         raise fault
     message = " ".join(fault.format_message().replace("Value error, ", "").split())
+    message = advised(UNREAD.sub(r"this is no plain \1", message))
     context = getattr(fault, "ctx", None)
     if context is None:
         return complain(message, 2)
@@ -60,6 +69,12 @@ def explain_usage(fault: BaseException) -> int:
         message += "a command of its own"
     end = "" if message.endswith("?") else "."
     return complain(f"{message.rstrip('.')}{end} Try '{context.command_path} --help'.", 2)
+
+
+def advised(message: str) -> str:
+    """With what would do instead, where an option's value was refused."""
+    found = (words for option, words in INSTEAD.items() if f"for '{option}'" in message)
+    return "; ".join([message.rstrip("."), *found])
 
 
 def taken(context) -> str:

@@ -17,6 +17,7 @@ ROOM = 1.3  # times the longest bar on its logarithmic axis, for the number besi
 MOST = 7  # beside the baseline
 CHOSEN = "Blue without stripes: what was chosen."
 NONE_CHOSEN = "None of them was chosen."
+LESS = 0.01  # of what the baseline leaves, below which a cause explains nothing
 LEAST = 0.5  # of what is left, that a logarithmic axis shows
 
 
@@ -61,9 +62,14 @@ def causes_of(found: Diagnosis) -> Panel:
         Axis("mean square left / noise", "-", limits, logarithmic=True),
         Axis(ticks=tuple(zip(at.tolist(), names, strict=True)), reversed=True),
         marks,
-        "what explains it",
+        "what explains it" if explains(rows) else "no cause leaves less than Eq. 9",
         BAR * float(size.sum()),
     )
+
+
+def explains(rows: list[Cause]) -> bool:
+    """Does any cause leave less than the baseline, which is the first row?"""
+    return any(row.left < (1 - LESS) * rows[0].left for row in rows[1:])
 
 
 def room(rows: list[Cause]) -> np.ndarray:

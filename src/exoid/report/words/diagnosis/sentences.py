@@ -37,7 +37,7 @@ def sentences(found: Diagnosis) -> dict[str, str]:
     lines["Sensors"] = sensors(found)
     if found.verdict == "none":
         lines["Trust"] = trust(found)
-    if found.advice:
+    if found.advice and not only_usual(found):
         lines["Record next"] = " ".join(found.advice)
     return {heading: line for heading, line in lines.items() if line}
 
@@ -67,7 +67,10 @@ def of_each_other(found: Diagnosis) -> str:
     if not clear:
         return "encoder and gyro agree."
     said = ", ".join(map(parameter, clear))
-    return f"encoder and gyro differ as if by {said} (± by noise alone, whichever of them errs)."
+    both = len(found.selected) > 1 and any(each.name in found.selected for each in clear)
+    alone = ", and of each by itself: what is missing is told together" if both else ""
+    noise = f"± by noise alone, whichever of them errs{alone}"
+    return f"encoder and gyro differ as if by {said} ({noise})."
 
 
 def of_plays(found: Diagnosis) -> str:
