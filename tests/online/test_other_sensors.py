@@ -12,6 +12,7 @@ from exoid.recordings.recording import Recording, Segment, Subject
 from exoid.watching.estimate.expect import expected_of
 from exoid.watching.estimate.leg import Leg, LegDrop, Person
 from exoid.watching.estimate.load import Load
+from exoid.watching.estimate.moment import Moment
 from hands import Knee
 from reflexes import ADULT, stretched, thrown
 
@@ -36,7 +37,7 @@ def followed(segments) -> tuple[list[LegDrop], object]:
     leg = Leg(Person(SUBJECT, expected_of(SUBJECT), model), Load())
     news = [each for part in of_recording(recording, 3000) for each in leg.take(part)]
     drops = [each for each in news if isinstance(each, LegDrop)]
-    return drops, [each for each in news if not isinstance(each, LegDrop)][-1]
+    return drops, [each for each in news if isinstance(each, Moment)][-1]
 
 
 def near(moment, leg) -> bool:

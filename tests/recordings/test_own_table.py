@@ -242,7 +242,7 @@ def test_a_missing_sidecar_means_that_nothing_is_known(write):
     assert recording.subject == Subject()
     assert recording.protocol == Protocol()
     assert len(notes) == 1
-    assert "swing.toml does not exist" in notes[0]
+    assert "swing.toml: there is none" in notes[0]
 
 
 def test_keys_take_a_list_where_segments_may_differ(write):

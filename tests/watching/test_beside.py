@@ -21,6 +21,7 @@ from exoid.watching.beside.refinement import BACKGROUND, Refinement, prepare, un
 from exoid.watching.board import MOST, Board
 from exoid.watching.estimate.leg import Leg, LegDrop
 from exoid.watching.estimate.load import Load, Mass
+from exoid.watching.estimate.moment import Moment
 from exoid.watching.follower import Company, Follower
 
 INERTIA = (goal_of("inertia=2%", ["inertia"]),)
@@ -219,7 +220,7 @@ def test_an_estimator_that_fails_is_told_and_holds_nobody_up(person, readings):
 
 
 def test_a_history_does_not_grow_for_ever(told):
-    board, moments = Board(), [each for each in told if not isinstance(each, LegDrop)]
+    board, moments = Board(), [each for each in told if isinstance(each, Moment)]
     for each in moments * 3:
         board.show(each)
     assert len(board.history) <= MOST

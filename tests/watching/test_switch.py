@@ -4,6 +4,7 @@ from bundled_session import LIKELY, LOADED, TRUTH, WEIGHT
 
 from exoid.watching.estimate.leg import Leg, LegDrop
 from exoid.watching.estimate.load import Load, Mass
+from exoid.watching.estimate.moment import Moment
 from exoid.watching.estimate.switch import Switch
 
 
@@ -30,7 +31,7 @@ def test_a_pause_between_segments_is_no_fault_and_a_gap_in_them_is(readings, per
     said = {}
     for name, load in (("gap", Load()), ("pause", Load(pauses=(29.0,)))):
         told = Leg(person, load).take(torn)
-        said[name] = {each.trust for each in told if not isinstance(each, LegDrop)}
+        said[name] = {each.trust for each in told if isinstance(each, Moment)}
     assert Trust.FAULTY in said["gap"]
     assert Trust.FAULTY not in said["pause"]
     assert said["pause"] | {Trust.FAULTY} == said["gap"]
