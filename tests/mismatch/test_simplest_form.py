@@ -1,5 +1,7 @@
 """A richer cause whose further numbers nothing tells is its simpler form."""
 
+from dataclasses import replace
+
 import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
@@ -39,6 +41,12 @@ def settled(friction, excess):
     return prepared, settle_free(prepared, both)
 
 
+def having(term, values):
+    """The term with these values."""
+    one = explaining(1000.0, term)
+    return replace(one, candidate=replace(one.candidate, values=(np.asarray(values),)))
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("friction", "excess", "simple"), [(FRICTION, 0.01, True), (FALLING, 0.1, False)]
@@ -57,6 +65,12 @@ def test_what_a_simpler_form_has_not_and_may_be_none_is_found_behind_the_leg_and
     assert extras(one, [CubicStiffness]) == {}
 
 
+@pytest.mark.parametrize(("power", "forms"), [(1.2, []), (1.6, [QuadraticDrag])])
+def test_drag_that_grows_as_speed_does_is_no_drag_and_has_no_simpler_form(power, forms):
+    one = having(PowerDrag, [0.05, power])
+    assert [*extras(one, [QuadraticDrag])] == forms
+
+
 @pytest.mark.parametrize(
     ("rich", "simple", "where"),
     [
@@ -66,7 +80,7 @@ def test_what_a_simpler_form_has_not_and_may_be_none_is_found_behind_the_leg_and
     ],
 )
 def test_a_richer_cause_pushes_as_its_simpler_form_does_where_it_is_said_to(rich, simple, where):
-    one = explaining(1000.0, rich)
+    one = having(rich, np.full(len(dict(declarations(rich))), 1.6))
     first = one.candidate.point.size + one.candidate.zero.size
     plain = extras(one, [simple])[simple]
     assert plain == {first + at: value for at, value in where.items()}

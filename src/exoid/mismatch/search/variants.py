@@ -8,6 +8,7 @@ import numpy as np
 
 from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import yardstick
+from exoid.mismatch.screen.effect import named
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FLOOR, enough, polished, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
@@ -170,11 +171,13 @@ def in_simplest_form(
 def extras(one: Optimum, usable: list[type[Term]]) -> dict[type[Term], dict[int, float]]:
     """Of the simpler forms of its terms, which of its unknowns each has not, and where these make
     it that form, if they may be there: where an excess is none, the speed at which it fades is of
-    no matter. What sticks has no form that does not.
+    no matter. What sticks has no form that does not, nor has what is not what it is called, as
+    drag that hardly grows faster than speed.
     """
     found, first = {}, one.candidate.point.size + one.candidate.zero.size
     for rich, value in zip(one.candidate.terms, one.candidate.values, strict=True):
-        for simple in (each for each in usable if each not in one.candidate.terms):
+        forms = usable if named(rich, value).itself() else []
+        for simple in (each for each in forms if each not in one.candidate.terms):
             known = dict(declarations(simple))
             more = {
                 first + at: declared.plain
