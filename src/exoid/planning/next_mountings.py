@@ -14,6 +14,7 @@ from exoid.fitting.model.coordinates import TYPICAL
 from exoid.fitting.model.systematics import SOMEWHERE, Systematics, in_common
 from exoid.planning.planned import Candidate
 from exoid.planning.prior_knowledge import PriorKnowledge, eliminated
+from exoid.recordings.recording import Sensors
 
 NONE = np.zeros(0)
 
@@ -24,6 +25,7 @@ class Next:
 
     recording: int
     session: str | None
+    sensors: Sensors
     thigh_angle: float  # rad
     added_mass: float  # kg
     added_mass_distance: float  # m
@@ -99,6 +101,7 @@ def next_of(known: PriorKnowledge, chosen: Sequence[Candidate], seats: list[floa
         Next(
             recording=first + seats.index(each.thigh_angle),
             session=known.movements[-1].session if known.movements else None,
+            sensors=known.movements[-1].sensors if known.movements else Sensors(),
             thigh_angle=each.thigh_angle,
             added_mass=each.motion.added_mass,
             added_mass_distance=each.motion.added_mass_distance,

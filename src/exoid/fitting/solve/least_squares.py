@@ -27,7 +27,7 @@ class HasteningTrustRegion(optx.ClassicalTrustRegion):
     def init(self, y, f_info_struct) -> Any:
         return super().init(y, f_info_struct), jnp.array(1.0), jnp.array(0.0)
 
-    def step(self, first_step, y, y_eval, f_info, f_eval_info, state) -> Any:
+    def step(self, first_step, y, y_eval, f_info, f_eval_info, state: Any) -> Any:
         region, share, before = state
         size, accept, result, region = super().step(
             first_step, y, y_eval, f_info, f_eval_info, region
