@@ -339,7 +339,7 @@ def test_when_a_file_is_over_the_page_says_so_and_stays_until_ctrl_c(page, comma
     process.send_signal(signal.SIGINT)
     said, _ = process.communicate(timeout=LIMIT)
     assert process.returncode == 0
-    assert said.splitlines()[0].startswith("88.4 s, 4 drops so far; enough")
+    assert said.splitlines()[0].startswith("88.4 s, 4 drops so far, 6 left out; enough")
     page.wait_for_selector("#link:text-is('ended')", timeout=PATIENCE)
 
 

@@ -17,15 +17,18 @@ SAMPLES = 1000
 NOTHING = Hypothesis((), (), np.zeros(4))
 
 
-def leaving(square):
-    """A candidate that leaves so much."""
-    return Optimum(NOTHING, Products(np.zeros((1, 1, 1)), np.array([[square]])), motion=None)
+def leaving(square, of=NOTHING):
+    """A candidate that leaves so much, its unknowns without errors."""
+    size = of.unknowns.size + 1
+    usual = np.zeros((size, size))
+    usual[-1, -1] = square
+    return Optimum(of, Products(np.zeros((1, size, size)), usual), motion=None)
 
 
 def explaining(square, *terms):
     """Terms that leave so much, with values of no matter."""
     values = tuple(np.zeros(len(dict(declarations(term)))) for term in terms)
-    return replace(leaving(square), candidate=replace(NOTHING, terms=terms, values=values))
+    return leaving(square, replace(NOTHING, terms=terms, values=values))
 
 
 def sprung(stiffness):
@@ -40,6 +43,10 @@ def found_of(singles, pairs=(), pinned=()):
     measure = Yardstick(SAMPLES, scale=1.0)
     prepared = Mock(spec=PreparedRecording, scale=AS_A_LEG, rig=False, has_gyro=True)
     prepared.coordinates = lambda candidate: sprung(4.0)
+    prepared.bounds = lambda candidate: np.outer(
+        [-np.inf, np.inf], np.ones(candidate.unknowns.size)
+    )
+    prepared.numbers = SimpleNamespace(shared=SimpleNamespace(log_inertia=0))
     return Found(
         prepared, leaving(101_000.0), NOTHING, singles, list(pairs), list(pinned), [], measure
     )

@@ -8,7 +8,7 @@ import numpy as np
 from exoid.mismatch.evidence.yardstick import FOLLOWED
 from exoid.mismatch.screen.effect import named
 from exoid.mismatch.screen.hypothesis import Optimum
-from exoid.mismatch.search.found import Found, causes, size
+from exoid.mismatch.search.found import Found, blurred, causes, size
 from exoid.mismatch.search.rank import alike, simpler_form
 from exoid.physics.library import library
 from exoid.physics.parameter import AT_AN_END, declarations
@@ -79,6 +79,8 @@ def stand_ins(found: Found, best: Optimum) -> dict[type[Term], str]:
     each = list(zip(best.candidate.terms, best.candidate.values, strict=True))
     most = "would have to be larger than it can be"
     why = {term: most for term, value in each if at_its_most(term, float(value[0]), found)}
+    unsure = blurred(found.prepared, best, found.yardstick.scale)
+    why |= dict.fromkeys(unsure, "may be something else within the error of its numbers")
     if not noise and not found.prepared.has_gyro:
         unwatched = "leaves more than noise where no gyro watches the encoder"
         why |= {term: unwatched for term, _ in each if issubclass(term, SensorTerm)}

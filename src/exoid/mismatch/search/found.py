@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from exoid.mismatch.evidence.yardstick import Yardstick
+from exoid.mismatch.screen.effect import named
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.term import Term, name_of
@@ -72,6 +73,20 @@ def lost_at(prepared: PreparedRecording, one: Optimum, plain: dict[int, float]) 
     variance = unscaled_covariance(prepared, one)[np.ix_(rows, rows)]
     off = one.candidate.unknowns[rows] - list(plain.values())
     return float(off @ np.linalg.pinv(variance) @ off)
+
+
+def blurred(prepared: PreparedRecording, one: Optimum, scale: float) -> list[type[Term]]:
+    """Its terms that are not what they are called, or not within a standard error of each of their
+    numbers, by a variance `scale` times that of the noise.
+    """
+    errors = np.sqrt(scale * np.diag(unscaled_covariance(prepared, one)))
+    found, first = [], one.candidate.point.size + one.candidate.zero.size
+    for term, value in zip(one.candidate.terms, one.candidate.values, strict=True):
+        off = np.diag(errors[first : first + value.size])
+        if not all(named(term, each).itself() for each in (value, *(value - off), *(value + off))):
+            found.append(term)
+        first += value.size
+    return found
 
 
 def best_of(settled: list[Optimum]) -> list[Optimum]:

@@ -8,11 +8,10 @@ import numpy as np
 
 from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import yardstick
-from exoid.mismatch.screen.effect import named
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FLOOR, enough, polished, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.found import lost_at, size
+from exoid.mismatch.search.found import blurred, lost_at, size
 from exoid.mismatch.search.rank import simpler_form
 from exoid.physics.parameter import declarations
 from exoid.physics.term import SensorTerm, Term, holds, name_of
@@ -147,16 +146,19 @@ def in_simplest_form(
     prepared: PreparedRecording, one: Optimum, usable: list[type[Term]]
 ) -> Optimum:
     """The same with simple terms in the place of richer ones, where what these have more explains
-    no more than noise may: dry friction that falls with speed by nothing is Coulomb's.
+    no more than noise may: dry friction that falls with speed by nothing is Coulomb's. What may not
+    be what it is called has none: drag that may grow as speed does is not quadratic.
     """
     extra = extras(one, usable)
     if not extra:
         return one
     measure = yardstick(prepared, one)
+    unsure = blurred(prepared, one, measure.scale)
     untold = [
         simple
         for simple, plain in extra.items()
-        if not measure.clear(lost_at(prepared, one, plain), 0.0, len(plain))
+        if not any(simpler_form(simple, rich) for rich in unsure)
+        and not measure.clear(lost_at(prepared, one, plain), 0.0, len(plain))
     ]
     simpler = [
         each
@@ -171,13 +173,11 @@ def in_simplest_form(
 def extras(one: Optimum, usable: list[type[Term]]) -> dict[type[Term], dict[int, float]]:
     """Of the simpler forms of its terms, which of its unknowns each has not, and where these make
     it that form, if they may be there: where an excess is none, the speed at which it fades is of
-    no matter. What sticks has no form that does not, nor has what is not what it is called, as
-    drag that hardly grows faster than speed.
+    no matter. What sticks has no form that does not.
     """
     found, first = {}, one.candidate.point.size + one.candidate.zero.size
     for rich, value in zip(one.candidate.terms, one.candidate.values, strict=True):
-        forms = usable if named(rich, value).itself() else []
-        for simple in (each for each in forms if each not in one.candidate.terms):
+        for simple in (each for each in usable if each not in one.candidate.terms):
             known = dict(declarations(simple))
             more = {
                 first + at: declared.plain
