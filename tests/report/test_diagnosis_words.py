@@ -11,6 +11,7 @@ from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.result.fit_result import Estimate
 from exoid.fitting.result.remarks.remarks import ASK_DIAGNOSE
 from exoid.mismatch.answer.diagnosis import Booked, Finding, NovelTorque, Parameter, Suspect
+from exoid.mismatch.sensors.agreement import SensorError
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.report.tables.diagnosis import suspects
@@ -57,6 +58,17 @@ def test_what_the_fit_estimates_anyway_is_told_as_an_error_of_a_sensor():
     assert "chance of" not in said["How sure"]
     assert headline(one) == "Something is missing."
     assert "chance of" in sentences(one)["How sure"]
+
+
+@pytest.mark.parametrize("together", [True, False])
+def test_two_numbers_of_one_error_are_told_apart(together):
+    """With what else is missing a bias is another than encoder and gyro say of it alone."""
+    bias = Finding("gyro_bias", "bias of the gyro", "It shows a rate at rest.", "a data sheet")
+    by_itself = SensorError("gyro_bias", 0.0069, 0.0001, "rad/s")
+    more = [bias] if together else []
+    one = found()
+    one = replace(one, findings=[*one.findings, *more], sensors=[by_itself])
+    assert ("each by itself" in sentences(one)["Sensors"]) is together
 
 
 def test_a_cause_that_the_fit_has_and_nobody_claims_is_said_to_be_uncertain():
