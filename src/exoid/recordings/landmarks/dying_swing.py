@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from jaxtyping import Float
-from scipy.optimize import least_squares
 
 from exoid.recordings.landmarks.track import Peak
 from exoid.recordings.samples import Samples
@@ -45,6 +44,8 @@ def middle_of(time: Samples, angle: Samples, noise: float, turns: list[Peak]) ->
     def misfit(numbers: Float[np.ndarray, "5"]) -> Float[np.ndarray, " row"]:
         apart = (numbers[3:] - before) / SAME
         return np.concatenate([(angle - swing(since, numbers)) / noise, apart])
+
+    from scipy.optimize import least_squares  # long to import, and for legs that still swing alone
 
     found = least_squares(misfit, begun, x_scale=[noise, noise, noise, *SAME])
     left = (angle - swing(since, found.x)) / noise
