@@ -5,6 +5,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
+from exoid.fitting.result.remarks.torque_zero import variance_left
 from exoid.recordings.recording import Protocol, Recording, Segment, Subject
 from exoid.trust.identify import identify
 from fit_cases import DROP, recorded
@@ -90,3 +91,22 @@ def test_a_drop_has_no_torque_sensor():
     result = fit(recorded(DROP), multistart=2)
     assert "torque_zero" not in (result.ratios["gravity_over_inertia"].limited_by or {})
     assert not any("torque sensor" in each for each in result.notes)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_zero_that_a_fit_takes_for_something_else_keeps_its_variance_whatever_rounding_leaves(
+    seed,
+):
+    """What is left of 1e18 times the variance is rounding, and may be less than nothing."""
+    rng = np.random.default_rng(seed)
+    columns = 1e7 * rng.normal(size=(400, 6))
+    response = columns @ rng.normal(size=6)
+    crossed = (response @ columns)[None]
+    moved = np.linalg.solve(columns.T @ columns, crossed.T)
+    told = variance_left(crossed, moved, np.array([response @ response]))
+    assert 0 < told[0] <= 1
+
+
+def test_a_zero_that_nothing_else_looks_like_is_told_as_well_as_its_samples_do():
+    told = variance_left(np.zeros((1, 6)), np.zeros((6, 1)), np.array([99.0]))
+    assert told[0] == pytest.approx(0.01)

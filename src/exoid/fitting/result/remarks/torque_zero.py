@@ -26,9 +26,16 @@ def off_by_torque_zero(problem: Problem, ended: SearchResult) -> dict[str, float
         return {}
     known, crossed, square, slope = normal_equations(problem, ended, deviation)
     moved = np.linalg.solve(known, crossed.T)  # by a zero of one deviation
-    told = 1 / (1 + square - np.sum(crossed * moved.T, axis=1))
+    told = variance_left(crossed, moved, square)
     each = ended.local.quantities @ moved * np.hypot(told * slope, np.sqrt(told))
     return dict(zip(problem.quantities, np.linalg.norm(each, axis=1), strict=True))
+
+
+def variance_left(crossed: np.ndarray, moved: np.ndarray, square: np.ndarray) -> np.ndarray:
+    """Of every zero, its variance over the one that it is declared with: all of it where the fit
+    takes its response for something else, of which rounding may leave less than nothing.
+    """
+    return 1 / (1 + np.maximum(square - np.sum(crossed * moved.T, axis=1), 0.0))
 
 
 def normal_equations(
