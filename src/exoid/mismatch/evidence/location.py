@@ -9,6 +9,7 @@ from jaxtyping import Float
 Samples = Float[np.ndarray, " sample"]
 
 ALONE = 0.3  # of the variance of what is missing, from which on something alone explains it
+APART = 0.1  # of it, by which one explains more than another
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +77,7 @@ class Location:
     def pattern(self) -> str:
         """In one sentence."""
         angle, speed = f"{self.by_angle:.0%}", f"{self.by_speed:.0%}"
-        if self.by_segment > max(ALONE, self.by_angle + 0.1, self.by_speed + 0.1):
+        if self.by_segment > max(ALONE, self.by_angle + APART, self.by_speed + APART):
             return (
                 "it stays the same within each segment, and differs between them "
                 f"({self.by_segment:.0%} of its variance; angle {angle}, speed {speed}): a muscle "
@@ -84,9 +85,9 @@ class Location:
             )
         if max(self.by_angle, self.by_speed) < ALONE:
             return f"neither angle ({angle} of its variance) nor speed ({speed}) alone explains it"
-        if self.by_speed > self.by_angle + 0.1:
+        if self.by_speed > self.by_angle + APART:
             return f"it goes with speed and direction ({speed} of its variance, angle {angle})"
-        if self.by_angle > self.by_speed + 0.1:
+        if self.by_angle > self.by_speed + APART:
             return f"it goes with the angle ({angle} of its variance, speed {speed})"
         return f"angle ({angle} of its variance) and speed ({speed}) explain it about alike"
 
