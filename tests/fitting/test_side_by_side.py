@@ -4,8 +4,8 @@ from threading import Barrier
 
 import pytest
 
-from exoid.fitting.solve import side_by_side as module
-from exoid.fitting.solve.side_by_side import side_by_side
+from exoid.fitting.solve.cores import side_by_side as module
+from exoid.fitting.solve.cores.side_by_side import side_by_side
 
 
 def test_results_come_in_the_order_of_what_was_given():

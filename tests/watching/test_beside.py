@@ -13,11 +13,12 @@ from multiprocessing import get_context
 import pytest
 from bundled_session import SUBJECT, until
 
+from exoid.fitting.solve.cores.second_process import unheard
 from exoid.online.model.trust import Phase, Trust
 from exoid.watching.beside.coach import Coach
 from exoid.watching.beside.goals import goal_of
 from exoid.watching.beside.next_movement import Advice, Wish, advise
-from exoid.watching.beside.refinement import BACKGROUND, Refinement, prepare, unheard
+from exoid.watching.beside.refinement import BACKGROUND, Refinement, prepare
 from exoid.watching.board import MOST, Board
 from exoid.watching.estimate.leg import Leg, LegDrop
 from exoid.watching.estimate.load import Load, Mass
@@ -127,7 +128,7 @@ class Pool:
 def test_drops_are_fitted_all_together_the_newest_set_after_the_one_that_runs(person, told):
     drops = [each for each in told if isinstance(each, LegDrop)]
     refinement = Refinement(SUBJECT, person.model)
-    refinement.pool = pool = Pool()
+    refinement.process = pool = Pool()
     for each in drops[:1]:
         refinement.add(each)
     refinement.look()

@@ -27,10 +27,13 @@ def compute(named, each: bool, options: dict):
 
 
 def diagnosed(named, own, options: dict, told):
-    """The diagnosis."""
+    """The diagnosis; programs that are missing are made by two processes."""
+    from exoid.fitting.solve.cores.ahead import ahead
     from exoid.mismatch.missing_physics import diagnose as find
+    from exoid.mismatch.rehearsal import rehearse
 
-    return soundly(named, lambda: find(named, terms=own, told=told, **options))
+    with ahead(rehearse, named):
+        return soundly(named, lambda: find(named, terms=own, told=told, **options))
 
 
 def soundly(named, work: Callable[[], Any]):

@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.solve.side_by_side import side_by_side
+from exoid.fitting.solve.cores.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.screen.optimise import settle_free

@@ -47,30 +47,38 @@ def prepare(
     rig = any(recording.subject.kind == "rig" for _, recording in recordings)
     owned = unknown(movements, rig=rig)
     problem = compared(pose(movements, basis.problem.belief, reading, chain, owned=owned))
-    pace = quickest(problem.movements)
-    slow = pace / LEG if pace > QUICK else 1.0
-    sensors = compared_at_ease(problem.observation, Yardstick, slow)
+    sensors = sensors_of(problem)
     best = take(basis.ended.best, 0).coordinates
     observation = without_edges(problem.observation, sensors)
     observation = with_masses(observation, best.mounting, owned)
     problem = replace(problem, observation=observation)
     fitted = released(best, problem)
     inertia = float(fitted.shared.log_inertia)
-    known = (each for each in library() if not each.named_only and (rig or not each.mechanical))
-    tested = (*known, *terms)
+    every = (*tested(rig=rig), *terms)
     zero = movements[0].systematics.zero
-    common = common_of(sensors, tested, owned)
+    common = common_of(sensors, every, owned)
     noise = pooled(result.segments, lambda each: each.angle_noise)
     drifted = rig and all_driven(movements) and result.angle_rmse > FAR * noise
     lost = not result.follows and elsewhere(result.segments)
     led = tethers(problem) if drifted or lost else ()
-    made = PreparedRecording(problem, sensors, tested, inertia, rig, zero, tuple(common), led)
+    made = PreparedRecording(problem, sensors, every, inertia, rig, zero, tuple(common), led)
     begin = Hypothesis(tuple(common), tuple(common.values()), made.point(fitted))
     return filtered(made, settle_free(made, begin, rounds=FEWER_ROUNDS))
 
 
+def sensors_of(problem: Problem) -> Consistency:
+    """What its sensors say of each other."""
+    pace = quickest(problem.movements)
+    return compared_at_ease(problem.observation, Yardstick, pace / LEG if pace > QUICK else 1.0)
+
+
+def tested(*, rig: bool) -> tuple[type[Term], ...]:
+    """The terms of the library that a diagnosis tests."""
+    return tuple(each for each in library() if not each.named_only and (rig or not each.mechanical))
+
+
 def common_of(
-    sensors: Consistency, tested: tuple[type[Term], ...], owned: tuple[str, ...]
+    sensors: Consistency, every: tuple[type[Term], ...], owned: tuple[str, ...]
 ) -> dict[type[Term], np.ndarray]:
     """What the sensors surely do wrong, which every candidate has, but for what each recording
     owns.
@@ -78,7 +86,7 @@ def common_of(
     return {
         each.fault.term: each.values
         for each in sensors.sure.errors
-        if each.fault.term in tested and each.fault.term.replaces not in owned
+        if each.fault.term in every and each.fault.term.replaces not in owned
     }
 
 

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from exoid.fitting.solve.side_by_side import side_by_side
+from exoid.fitting.solve.cores.side_by_side import side_by_side
 from exoid.mismatch.novel.nameless import NAMELESS
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import settle_free

@@ -16,11 +16,11 @@ from exoid.fitting.misfit.neighbourhood import columns, declared_slopes, neighbo
 from exoid.fitting.model.coordinates import Coordinates, layout, take
 from exoid.fitting.model.prior import mounting_residual
 from exoid.fitting.model.term_parameters import parameters_of
+from exoid.fitting.solve.cores.side_by_side import side_by_side
 from exoid.fitting.solve.meeting import MEETING
 from exoid.fitting.solve.problem import STRICT, Problem
 from exoid.fitting.solve.program_cache import run, run_sense, run_triangles
 from exoid.fitting.solve.program_values import Solved, StartRequest, Task
-from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.physics.motion.step import Drive
 
 ROUNDS = 10  # of multipliers; two digits a round

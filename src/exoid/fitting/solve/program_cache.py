@@ -5,6 +5,8 @@ there, and the next process loads it without importing the solver.
 """
 
 import logging
+import os
+import signal
 import time
 import warnings
 from collections.abc import Callable
@@ -24,12 +26,14 @@ from exoid.fitting.misfit.condensed import Sensed, Triangles
 from exoid.fitting.solve.compiled.kept_program import (
     KEPT,
     Known,
+    alone_at,
     fingerprint,
     load,
     nameless,
     store,
 )
 from exoid.fitting.solve.compiled.machine_code import compiled, options
+from exoid.fitting.solve.cores.ahead import is_missing
 from exoid.fitting.solve.meeting import MEETING, SOLVE
 from exoid.fitting.solve.program_values import SENSED, TRIANGLES, Solved, solved_structure
 
@@ -148,7 +152,22 @@ def kept(known: Known, results: int, make: Callable[[], Compiled]) -> Compiled:
         return make()
     path = _folder[0] / f"{fingerprint(known)}{KEPT}"
     code = load(path, len(known.shapes), results)
-    if code is None:
-        code = make()
-        store(path, code)
+    if code is not None:
+        return code
+    is_missing(make_more, _folder[0])
+    with alone_at(path):
+        code = load(path, len(known.shapes), results)
+        if code is None:
+            code = make()
+            store(path, code)
     return code
+
+
+def make_more(folder: Path) -> None:
+    """Prepare a second process that makes programs: Ctrl-C is left to the one that started it, and
+    what goes wrong is not said, for it will go wrong there.
+    """
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    jax.config.update("jax_enable_x64", True)
+    keep_programs_in(folder)

@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 
-from exoid.fitting.solve.side_by_side import side_by_side
+from exoid.fitting.solve.cores.side_by_side import side_by_side
 from exoid.mismatch.conclude.choose import Chosen
 from exoid.mismatch.evidence.prediction import improves
 from exoid.mismatch.evidence.proof import predict

@@ -10,7 +10,7 @@ from functools import partial
 
 import numpy as np
 
-from exoid.fitting.solve.side_by_side import side_by_side
+from exoid.fitting.solve.cores.side_by_side import side_by_side
 from exoid.mismatch.conclude.numbers import CERTAIN, covariance
 from exoid.mismatch.conclude.unneeded import without_unneeded
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum

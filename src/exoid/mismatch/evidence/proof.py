@@ -5,7 +5,7 @@ import numpy as np
 from jaxtyping import Bool
 
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.solve.side_by_side import side_by_side
+from exoid.fitting.solve.cores.side_by_side import side_by_side
 from exoid.mismatch.evidence.prediction import Prediction, Proof
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum, Products
 from exoid.mismatch.screen.many_free import release

@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.solve.side_by_side import side_by_side
+from exoid.fitting.solve.cores.side_by_side import side_by_side
 from exoid.mismatch.screen import along_motion, many_pinned
 from exoid.mismatch.screen.hypothesis import HARDER, Hypothesis, Linear, Optimum
 from exoid.mismatch.screen.many_free import release

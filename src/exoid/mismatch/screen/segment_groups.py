@@ -7,7 +7,7 @@ import jax
 import numpy as np
 from jaxtyping import Float, Int
 
-from exoid.fitting.solve.side_by_side import side_by_side
+from exoid.fitting.solve.cores.side_by_side import side_by_side
 
 Tree = TypeVar("Tree")
 Batch = TypeVar("Batch")

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from exoid.fitting.solve.side_by_side import side_by_side
+from exoid.fitting.solve.cores.side_by_side import side_by_side
 from exoid.mismatch.screen.hypothesis import Linear, Optimum
 from exoid.mismatch.screen.optimise import given, strikes
 from exoid.mismatch.search.found import Found, lone_and_joint

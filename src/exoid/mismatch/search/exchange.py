@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.fitting.solve.side_by_side import side_by_side
+from exoid.fitting.solve.cores.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FLOOR, LOWER, settle_free

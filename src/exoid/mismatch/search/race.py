@@ -5,9 +5,11 @@ from functools import partial
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.solve.side_by_side import side_by_side
+from exoid.fitting.solve.cores.ahead import beside
+from exoid.fitting.solve.cores.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import misfits
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
+from exoid.mismatch.screen.many_free import release
 from exoid.mismatch.screen.optimise import by_encoder, polished, settle_free, strikes
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 
@@ -43,6 +45,8 @@ def left_by(one: Optimum, seen: Observation) -> float:
 
 def simulated(prepared: PreparedRecording, starts: list[Hypothesis], rival: float) -> list[Optimum]:
     """Running free, each from one start, as far as they come near what a rival leaves."""
+    for one in reversed(starts):
+        beside(release, prepared, one)
     each = side_by_side(lambda start: polished(prepared, start, rival), starts)
     return [one for one in each if one.sound]
 

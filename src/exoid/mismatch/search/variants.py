@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from exoid.fitting.solve.side_by_side import side_by_side
+from exoid.fitting.solve.cores.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FLOOR, enough, polished, settle_free

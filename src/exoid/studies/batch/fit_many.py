@@ -7,8 +7,8 @@ from typing import Any
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.answer import LANES, answer
+from exoid.fitting.solve.cores.side_by_side import MOST, side_by_side
 from exoid.fitting.solve.meeting import meet
-from exoid.fitting.solve.side_by_side import MOST, side_by_side
 from exoid.recordings.loading.named import RecordingsLike
 
 FEW = 4  # starts: from anatomy, from inverse dynamics, and two drawn ones

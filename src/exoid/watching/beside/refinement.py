@@ -1,18 +1,15 @@
 """The batch fit of the drops so far, beside the stream: in a process of its own, newest first."""
 
-import gc
 import os
 import signal
-from collections.abc import Iterator
-from concurrent.futures import Future, ProcessPoolExecutor
-from contextlib import contextmanager
+from concurrent.futures import Future
 from dataclasses import dataclass, field, replace
 from math import hypot
-from multiprocessing import get_context
 from typing import Any
 
 import numpy as np
 
+from exoid.fitting.solve.cores.second_process import SecondProcess
 from exoid.online.model.model import Model
 from exoid.recordings.recording import Subject
 from exoid.watching.estimate.known import RATIOS
@@ -45,7 +42,7 @@ class Refinement:
     def __init__(self, subject: Subject, model: Model):
         self.subject, self.model = subject, model
         self.drops: list[LegDrop] = []
-        self.pool: ProcessPoolExecutor | None = None
+        self.process: SecondProcess | None = None
         self.running: tuple[Future, LegDrop, int] | None = None
         self.latest: Refined | None = None
         self.failed: str | None = None
@@ -73,8 +70,8 @@ class Refinement:
     def begin(self) -> None:
         from exoid.online.batch import refine
 
-        if self.pool is None:
-            self.pool = ProcessPoolExecutor(1, get_context("spawn"), prepare)
+        if self.process is None:
+            self.process = SecondProcess(prepare)
         masses = [each.mass for each in self.drops]
         carried = {}
         if any(each.weight for each in masses):
@@ -85,8 +82,7 @@ class Refinement:
             )
         subject = replace(self.subject, **dict.fromkeys(MASS) | carried)
         segments = [each.segment for each in self.drops]
-        with unheard():
-            future = self.pool.submit(refine, segments, subject, self.model)
+        future = self.process.submit(refine, segments, subject, self.model)
         self.running = future, self.drops[-1], len(self.drops)
 
     def finish(self, future: Future, drop: LegDrop, count: int) -> None:
@@ -106,14 +102,9 @@ class Refinement:
 
     def close(self) -> None:
         """Whatever still runs ends with it."""
-        pool, self.pool = self.pool, None
-        if pool is not None:
-            for process in list((pool._processes or {}).values()) if self.running else ():
-                process.terminate()
-            pool.shutdown(cancel_futures=True)
-            self.running = None
-            del pool
-            gc.collect()  # its semaphores go with it, as they would not with this process
+        if self.process is not None:
+            self.process.close(at_once=self.busy)
+            self.process = self.running = None
 
 
 def beside(drop: LegDrop, found: Any, count: int) -> Refined:
@@ -129,21 +120,6 @@ def beside(drop: LegDrop, found: Any, count: int) -> Refined:
     each = {**found.ratios, **found.parameters}
     slack = {name: one.if_slack for name, one in each.items() if one.if_slack is not None}
     return Refined(count, ratios, apart, max(map(abs, apart.values())) < FAR, slack)
-
-
-@contextmanager
-def unheard() -> Iterator[None]:
-    """What this thread starts meanwhile hears no Ctrl-C, not even before `prepare`: a process
-    inherits what its starter blocks. Here it is heard afterwards.
-    """
-    if not hasattr(signal, "pthread_sigmask"):  # Windows
-        yield
-        return
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def prepare() -> None:

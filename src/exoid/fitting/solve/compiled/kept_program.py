@@ -7,7 +7,8 @@ import os
 import platform
 import sys
 import zlib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
 from functools import cache
 from importlib.metadata import version
 from operator import attrgetter
@@ -17,6 +18,7 @@ from typing import Any, NamedTuple
 import equinox as eqx
 import jax
 import numpy as np
+from filelock import FileLock
 from jax.experimental import serialize_executable
 from jaxlib.xla_client import get_topology_for_devices
 
@@ -152,6 +154,22 @@ def with_linear_algebra() -> None:
     """
     with jax.default_device(processor()):
         jax.jit(jax.lax.linalg.cholesky).lower(jax.ShapeDtypeStruct((1, 1), np.float32))
+
+
+@contextmanager
+def alone_at(path: Path) -> Iterator[None]:
+    """No other process makes the program at `path` meanwhile. In a folder that cannot be locked one
+    may: then it is made twice.
+    """
+    lock = FileLock(path.with_suffix(".lock"))
+    with suppress(OSError, NotImplementedError):
+        lock.acquire()
+    try:
+        yield
+    finally:
+        lock.release()
+        with suppress(OSError):
+            path.with_suffix(".lock").unlink()
 
 
 def store(path: Path, code: jax.stages.Compiled) -> None:

@@ -1,0 +1,45 @@
+"""A second process, for what need not wait."""
+
+import gc
+import signal
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ProcessPoolExecutor
+from contextlib import contextmanager
+from multiprocessing import get_context
+from typing import Any
+
+
+class SecondProcess:
+    """Does one task after another, from the first on."""
+
+    def __init__(self, prepare: Callable[..., None], *given: Any):
+        with unheard():
+            self.pool = ProcessPoolExecutor(1, get_context("spawn"), prepare, given)
+
+    def submit(self, task: Callable[..., Any], *arguments: Any) -> Future:
+        """What the task will return; it and its arguments can be pickled."""
+        with unheard():
+            return self.pool.submit(task, *arguments)
+
+    def close(self, *, at_once: bool) -> None:
+        """It ends, `at_once` or when the task ends that runs."""
+        for process in list((self.pool._processes or {}).values()) if at_once else ():
+            process.terminate()
+        self.pool.shutdown(cancel_futures=True)
+        del self.pool
+        gc.collect()  # its semaphores go with it, as they would not with this process
+
+
+@contextmanager
+def unheard() -> Iterator[None]:
+    """What this thread starts meanwhile hears no Ctrl-C, not even before it is prepared: a process
+    inherits what its starter blocks. Here it is heard afterwards.
+    """
+    if not hasattr(signal, "pthread_sigmask"):  # Windows
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)

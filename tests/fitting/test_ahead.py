@@ -1,0 +1,83 @@
+"""A second process makes programs ahead, and no program is made twice at a time."""
+
+import os
+import threading
+import time
+from pathlib import Path
+
+import pytest
+
+from exoid.fitting.solve.compiled.kept_program import alone_at
+from exoid.fitting.solve.cores import ahead as made_ahead
+from exoid.fitting.solve.cores.ahead import ahead, beside, is_missing
+from exoid.fitting.solve.cores.second_process import SecondProcess
+
+
+def leave(name: str, folder: Path) -> None:
+    (folder / name).write_text(str(os.getpid()))
+
+
+def waited_for(path: Path) -> str:
+    for _ in range(600):
+        if path.exists() and path.read_text():
+            return path.read_text()
+        threading.Event().wait(0.1)
+    raise AssertionError(f"nobody wrote {path}")
+
+
+@pytest.fixture
+def two_cores(monkeypatch):
+    monkeypatch.setattr(made_ahead, "MOST", 2)
+
+
+@pytest.mark.usefixtures("two_cores")
+def test_the_second_process_begins_with_the_first_program_that_is_missing(tmp_path):
+    with ahead(leave, "first", tmp_path):
+        beside(leave, "too_soon", tmp_path)
+        assert not made_ahead._offered[0].begun
+        is_missing(int)
+        beside(leave, "then", tmp_path)
+        writers = {waited_for(tmp_path / name) for name in ("first", "then")}
+    assert len(writers) == 1
+    assert writers != {str(os.getpid())}
+    assert not (tmp_path / "too_soon").exists()
+    assert not made_ahead._offered
+
+
+@pytest.mark.usefixtures("two_cores")
+def test_what_still_runs_in_the_second_process_ends_with_the_diagnosis():
+    with ahead(time.sleep, 600):
+        is_missing(int)
+        (process,) = made_ahead._offered[0].process.pool._processes.values()
+    process.join(10)
+    assert not process.is_alive()
+
+
+def test_on_one_core_there_is_no_second_process(tmp_path, monkeypatch):
+    monkeypatch.setattr(made_ahead, "MOST", 1)
+    with ahead(leave, "first", tmp_path):
+        is_missing(int)
+        assert made_ahead._offered[0].process is None
+
+
+def test_who_comes_to_a_program_that_another_process_makes_waits_for_it(tmp_path):
+    path, other = tmp_path / "a.program", SecondProcess(int)
+    try:
+        with alone_at(path):
+            done = other.submit(makes, path)
+            done_too_soon = threading.Event().wait(3.0) or done.done()
+            path.write_text("here")
+        assert not done_too_soon
+        assert done.result(60) == "here"
+    finally:
+        other.close(at_once=False)
+
+
+def makes(path: Path) -> str:
+    with alone_at(path):
+        return path.read_text() if path.exists() else "nobody made it"
+
+
+def test_a_program_is_made_where_no_folder_can_be_locked(tmp_path):
+    with alone_at(tmp_path / "missing" / "deeper" / "a.program"):
+        pass
