@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from exoid.fitting.solve.compiled import kept_program
 from exoid.fitting.solve.compiled.kept_program import alone_at
 from exoid.fitting.solve.cores import ahead as made_ahead
 from exoid.fitting.solve.cores.ahead import ahead, beside, is_missing
@@ -81,3 +82,10 @@ def makes(path: Path) -> str:
 def test_a_program_is_made_where_no_folder_can_be_locked(tmp_path):
     with alone_at(tmp_path / "missing" / "deeper" / "a.program"):
         pass
+
+
+def test_nobody_waits_for_ever_for_a_process_that_stands_still(tmp_path, monkeypatch):
+    monkeypatch.setattr(kept_program, "PATIENCE", 0.2)
+    path = tmp_path / "a.program"
+    with alone_at(path), alone_at(path):
+        path.write_text("made twice")

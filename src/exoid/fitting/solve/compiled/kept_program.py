@@ -28,6 +28,7 @@ from exoid.fitting.solve.compiled.machine_code import processor
 SHOWING = ("cli", "studies", "report", "watching")  # rooms above every program: none imports them
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # whose code is in a program
 KEPT = ".program"  # how its file ends
+PATIENCE = 120.0  # s, longer than a busy machine takes for a program
 DIGEST = 32  # bytes of the checksum before a kept program
 QUICKLY = 1  # how far machine code is packed: to a third, in no time
 LOG = logging.getLogger("exoid")
@@ -158,12 +159,12 @@ def with_linear_algebra() -> None:
 
 @contextmanager
 def alone_at(path: Path) -> Iterator[None]:
-    """No other process makes the program at `path` meanwhile. In a folder that cannot be locked one
-    may: then it is made twice.
+    """No other process makes the program at `path` meanwhile. In a folder that cannot be locked, or
+    where another one stands still, one may: then it is made twice.
     """
     lock = FileLock(path.with_suffix(".lock"))
-    with suppress(OSError, NotImplementedError):
-        lock.acquire()
+    with suppress(OSError, NotImplementedError):  # a time-out is the first of them, too
+        lock.acquire(timeout=PATIENCE)
     try:
         yield
     finally:
