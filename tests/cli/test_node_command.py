@@ -170,7 +170,7 @@ def test_what_cannot_be_done_is_told_in_one_line(command, on_bus, nodes, options
         (["node", "set", "--channel", "x", "--rate", 7], "--rate 7: it can be 125000, 250000"),
         (
             ["node", "set", "--channel", "x", "--id", 16],
-            "'--id': Input should be less than or equal",
+            "'--id': it must be less than or equal",
         ),
         (["node", "zero", "--channel", "x", "--angle", "200"], "less than or equal to 180"),
         (["node", "zero", "--channel", "x", "--angle", "nan"], "--angle"),

@@ -92,6 +92,14 @@ def test_a_gyro_of_another_unit_or_sign_is_named(mistake):
         understood(wrong)
 
 
+@pytest.mark.parametrize(("one", "sign", "right"), [("angle", -1.0, "all"), ("gyro", 1.0, None)])
+def test_one_sensor_turned_alone_where_both_have_one_sign_is_told(one, sign, right):
+    both = changed(recording(drop(start=-1.1)), scaled(ANGLES + RATES, sign))
+    with pytest.raises(ValueError, match=f'once flip="{one}" is done.*flip="all".*nothing'):
+        understood(both, flip=one)
+    understood(both, flip=right)
+
+
 @pytest.mark.parametrize("name", legs())
 def test_what_is_right_is_not_doubted(name):
     right = legs()[name]

@@ -12,6 +12,7 @@ LIBRARIES = ("numpy", "scipy", "jax", "jaxlib", "equinox", "optimistix", "lineax
 ONE_MORE = "Got unexpected extra argument(s) "
 INTERRUPTED = 130  # as shells have it: 128 and the number of the signal
 UNREAD = re.compile(r"Input should be a valid (number|integer), .*")
+BEYOND = re.compile(r"Input should be (greater|less) than( or equal to)? (\S+)")
 INSTEAD = {  # what to do where an option's value is refused
     "--body-mass": "give it in kg, as --body-mass 72 (a pound is 0.4536 kg)",
     "--height": "give it in m, as --height 1.76",
@@ -60,6 +61,7 @@ def explain_usage(fault: BaseException) -> int:
     if not isinstance(fault, TyperException):
         raise fault
     message = " ".join(fault.format_message().replace("Value error, ", "").split())
+    message = BEYOND.sub(r"it must be \1 than\2 \3", message)
     message = advised(UNREAD.sub(r"this is no plain \1", message))
     context = getattr(fault, "ctx", None)
     if context is None:

@@ -65,7 +65,7 @@ def understand(
     found = cut_up(recording, sensors, cut, whole=whole)
     movements = found.recording
     refuse(wrong_convention(movements, sensors, cut=movements is not recording or not whole))
-    refuse(wrong_sign(recording))
+    refuse(wrong_sign(recording, sensors.flip))
     movements, broken = (movements, ()) if whole else without_lost_time(movements)
     noticed = () if whole else (*found.notes, *broken, *another_leg(movements))
     recording, more = settled(recording if whole else movements, movements)

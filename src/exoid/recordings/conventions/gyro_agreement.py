@@ -114,14 +114,26 @@ def values(samples: Samples) -> Samples:
     return np.unique(samples[~np.isnan(samples)])
 
 
-def wrong_sign(recording: Recording) -> str | None:
-    """A gyro that turns the other way than the encoder."""
+def wrong_sign(recording: Recording, flip: str | None) -> str | None:
+    """A gyro that turns the other way than the encoder, once what was told to `flip` is."""
     for number, segment in enumerate(recording.segments):
         found = agreement(segment)
         if found is not None and found.correlation < -ALIKE and found.slope < -1 / NEAR:
             return (
                 f"segment {number}: {found.column} is the slope of {found.angle_column} with the "
-                'other sign. Extension is positive in both: say flip="gyro", or flip="angle" '
-                "where it is the angle that counts flexion."
+                f"other sign{of_signs(flip)}"
             )
     return None
+
+
+def of_signs(flip: str | None) -> str:
+    """What to say in place of `flip` where angle and gyro then have unlike signs."""
+    if flip in ("angle", "gyro"):
+        return (
+            f', once flip="{flip}" is done: the file has one sign for both. Say flip="all" where it '
+            "counts flexion as positive, and nothing where it does not."
+        )
+    return (
+        '. Extension is positive in both: say flip="gyro", or flip="angle" where it is the angle '
+        "that counts flexion."
+    )
