@@ -130,8 +130,8 @@ def of_signs(flip: str | None) -> str:
     """What to say in place of `flip` where angle and gyro then have unlike signs."""
     if flip in ("angle", "gyro"):
         return (
-            f', once flip="{flip}" is done: the file has one sign for both. Say flip="all" where it '
-            "counts flexion as positive, and nothing where it does not."
+            f', once flip="{flip}" is done: the file has one sign for both. Say flip="all" where '
+            "it counts flexion as positive, and nothing where it does not."
         )
     return (
         '. Extension is positive in both: say flip="gyro", or flip="angle" where it is the angle '
