@@ -13,6 +13,7 @@ from rich.console import Console
 from test_fit_json import fitted
 
 from exoid.files.counted import counted
+from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.result.fit_result import Estimate, MountingFit
 from exoid.physics.leg import LegParameters
 from exoid.report.tables.fit import print_fit
@@ -210,3 +211,13 @@ def test_counts_agree_with_their_nouns():
     assert counted(1, "start") == "1 start"
     assert counted(2, "start") == "2 starts"
     assert counted(2, "distinct minimum", "distinct minima") == "2 distinct minima"
+
+
+def test_masses_that_no_such_body_has_are_told_before_any_number():
+    result = fitted()
+    told = {"value": 2.2, "standard_error": 0.01, "expected": 0.4, "expected_deviation": 0.05}
+    inertia = replace(result.parameters["inertia"], **told, shares=Shares(1.0, 0.0, 0.0))
+    text = printed(replace(result, parameters={**result.parameters, "inertia": inertia}))
+    assert text.index("Check this before") < text.index("Parameters")
+    assert " ".join(text.split()).count("5.5 times what anatomy expects") == 1
+    assert "Check this before" not in printed(result)

@@ -6,6 +6,7 @@ from rich.console import Console
 from exoid.files.counted import counted
 from exoid.fitting.result.agreement import of_the_rest
 from exoid.fitting.result.fit_result import FitResult, SegmentFit
+from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.fitting.result.summary import quantities
 from exoid.report.tables.leg import (
     BOUND,
@@ -35,6 +36,9 @@ def print_fit(result: FitResult, console: Console, told: Identifiability | None 
         heading(console, "These recordings are not of one leg as it was")
         say(console, capital(sentence))
     print_astray(result, console)
+    for sentence in doubted(result):
+        heading(console, "Check this before you use a mass or a torque")
+        say(console, capital(sentence))
     print_parameters(result, console)
     print_table(ratios(result), console)
     if result.terms:
@@ -62,6 +66,11 @@ def print_astray(result: FitResult, console: Console) -> None:
     for sentence in of_the_rest(result.segments, result.disturbance):
         heading(console, "This fit follows a part of its recording only")
         say(console, f"{capital(sentence)}")
+
+
+def doubted(result: FitResult) -> list[str]:
+    """That its masses are hardly those of this body."""
+    return of_scale(result.parameters, result.segments) if result.follows else []
 
 
 def print_parameters(result: FitResult, console: Console) -> None:
@@ -169,5 +178,6 @@ def remarks(result: FitResult) -> list[str]:
     torques = [(each.name, each.torque_amplitude) for each in result.segments]
     reasons += [(f"tau of segment {name}", one.reason) for name, one in torques if one is not None]
     missing = [f"{', '.join(names)}: {reason}." for reason, names in by_reason(reasons).items()]
-    said = {*result.notes[: not result.follows], *of_the_rest(result.segments, result.disturbance)}
+    first = {*result.notes[: not result.follows], *doubted(result)}
+    said = first | {*of_the_rest(result.segments, result.disturbance)}
     return [*missing, *(note for note in result.notes if note not in said)]
