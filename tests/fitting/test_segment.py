@@ -105,3 +105,17 @@ def test_a_gyro_that_turns_the_other_way_is_refused():
     turned = replace(drop, raw_angular_velocity=-np.asarray(drop.raw_angular_velocity))
     with pytest.raises(ValueError, match="segment 0: the angular velocity is the angle's with"):
         movement(one(turned), 0, "0")
+
+
+@pytest.mark.parametrize(("cycles", "refused"), [(1, False), (2, False), (20, True)])
+def test_many_voluntary_cycles_in_one_segment_are_refused_before_anything_is_computed(
+    cycles, refused
+):
+    time = TICK * np.arange(round(2.0 * cycles / TICK) + 1)
+    angle = -0.8 - 0.6 * np.cos(np.pi * time)
+    moved = one(Segment(time, raw_angle=angle), kind="active")
+    if not refused:
+        assert movement(moved, 0, "0").voluntary
+        return
+    with pytest.raises(ValueError, match=r"goes to and fro 20 times.*a column called segment"):
+        movement(moved, 0, "0")

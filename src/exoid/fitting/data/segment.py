@@ -12,7 +12,10 @@ from exoid.recordings.samples import Samples
 from exoid.recordings.signal.clean import clean
 from exoid.recordings.signal.condition import SMOOTHING, classify, cut
 from exoid.recordings.signal.local_line import local_line
+from exoid.recordings.signal.turns import turns
 
+WHOLE = 0.5  # of its travel: by how much a whole cycle turns back
+MOST_RETURNS = 3  # of a cycle, with what rings behind it
 REVERSED = -0.5  # of the angle's own slope: below it a gyro turns the other way
 
 
@@ -25,7 +28,7 @@ def movement(
     NaN in `angle` and `angular_velocity`: it weighs nothing.
 
     **Raises** `Motionless` where nothing moves or too few samples are left, `ValueError` where a
-    torque is missing.
+    torque is missing, or where a voluntary movement is of many cycles.
     """
     cleaned = clean(recording)
     recording = cleaned.recording
@@ -41,6 +44,8 @@ def movement(
     mass, distance = recording.added_mass(number), recording.added_mass_distance(number)
     assert angle is not None  # a Segment has one or the other
     check_sense(clipped, angle, velocity, name)
+    if kind == "active":
+        check_one_cycle(angle, name)
     noises = (cleaned.angle, cleaned.velocity) if raw else (None, None)
     whole = Movement(
         name=name,
@@ -83,4 +88,15 @@ def check_sense(segment: Segment, angle: Samples, velocity: Samples | None, name
         raise ValueError(
             f"segment {name}: the angular velocity is the angle's with the other sign. Extension "
             "is positive in both: change the sign of one of them."
+        )
+
+
+def check_one_cycle(angle: Samples, name: str) -> None:
+    """Refuse voluntary cycles behind one another as one: Eq. 10 is the torque of one of them."""
+    times = turns(angle[~np.isnan(angle)], WHOLE).size // 2
+    if times > MOST_RETURNS:
+        raise ValueError(
+            f"segment {name} goes to and fro {times} times: Eq. 10 is the torque of one cycle. "
+            "Number the cycles in a column called segment, each from rest to rest, or mark each "
+            'with a key while it is recorded. A leg that swings by itself is kind = "passive".'
         )

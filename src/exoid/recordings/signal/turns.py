@@ -21,9 +21,9 @@ def pace(time: Samples, samples: Samples) -> float:
     return float(np.pi / np.median(np.diff(time[known][at])))
 
 
-def turns(samples: Samples) -> np.ndarray:
-    """The samples of the extremes between which it moves by more than `TURN` of its travel."""
-    least, found = TURN * float(np.ptp(samples)), []
+def turns(samples: Samples, part: float = TURN) -> np.ndarray:
+    """The samples of the extremes between which it moves by more than this part of its travel."""
+    least, found = part * float(np.ptp(samples)), []
     extreme, way = 0, 0.0  # way: +1 while it rises, 0 before it is known
     places = bends(samples)
     for at, value in zip(places.tolist(), samples[places].tolist(), strict=True):
