@@ -18,6 +18,7 @@ def test_what_tests_all_causes_was_rehearsed(monkeypatch):
         asked.add(wanted)
         return program(*wanted)
 
+    heard.cache_clear = program.cache_clear
     monkeypatch.setattr(program_cache, "program", heard)
     drops = recording(drop(seed=1), drop(start=-0.5, seed=2))
     rehearse([("drops", drops)])

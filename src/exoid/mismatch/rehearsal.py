@@ -4,16 +4,19 @@ What it leaves is programs (`fitting.solve.cores.ahead`): they depend on how man
 given, not on which.
 """
 
+import numpy as np
+
 from exoid.fitting.amount.manageable import DIAGNOSED, manageable
 from exoid.fitting.data.conditioning import conditioned
 from exoid.fitting.model.assumptions import Assumptions
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.movements import movements_in
 from exoid.fitting.solve.pose import pose
+from exoid.fitting.solve.program_cache import leave
 from exoid.mismatch.prepare import compared, sensors_of, tested, unknown
-from exoid.mismatch.screen.along_motion import effects
+from exoid.mismatch.screen.along_motion import effects, read
 from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.many_pinned import evaluate
+from exoid.mismatch.screen.many_pinned import evaluate, room
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.variants import applies
 from exoid.physics.scale import AS_A_LEG
@@ -22,7 +25,7 @@ from exoid.recordings.recording import Recording
 
 def rehearse(named: list[tuple[str, Recording]]) -> None:
     """Every cause once along the motion, the last one first: a diagnosis comes from the other end,
-    and the two meet. Then all of them together.
+    and the two meet. Then one for every number of parameters that programs have room for.
     """
     prepared = for_no_leg(named)
     begin = Hypothesis((), (), prepared.point(prepared.like))
@@ -32,8 +35,10 @@ def rehearse(named: list[tuple[str, Recording]]) -> None:
         if applies(prepared, term)
     ]
     for one in reversed(tried):
-        effects(prepared, [one])
-    evaluate(prepared, tried)
+        leave(read, prepared, [one])
+        leave(effects, prepared, [one])
+    rooms = {room(sum(map(np.size, one.values))): (one, motion) for one, motion in tried}
+    leave(evaluate, prepared, [*rooms.values()])
 
 
 def for_no_leg(named: list[tuple[str, Recording]]) -> PreparedRecording:

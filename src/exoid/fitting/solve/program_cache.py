@@ -33,6 +33,7 @@ from exoid.fitting.solve.compiled.kept_program import (
     store,
 )
 from exoid.fitting.solve.compiled.machine_code import compiled, options
+from exoid.fitting.solve.compiled.memory import give_back
 from exoid.fitting.solve.cores.ahead import is_missing
 from exoid.fitting.solve.meeting import MEETING, SOLVE
 from exoid.fitting.solve.program_values import SENSED, TRIANGLES, Solved, solved_structure
@@ -141,6 +142,13 @@ def program(name: str, structure, shapes, static, results: int, brief: bool = Fa
     """The compiled program for these shapes: loaded, or traced, compiled and kept."""
     known = Known(name, structure, shapes, static, options(brief=brief))
     return kept(known, results, lambda: compiled(name, structure, shapes, static, brief=brief))
+
+
+def leave(task: Callable[..., object], *arguments: object) -> None:
+    """Do the task for the programs alone that it leaves in the folder: none stays in memory."""
+    task(*arguments)
+    program.cache_clear()
+    give_back()
 
 
 def kept(known: Known, results: int, make: Callable[[], Compiled]) -> Compiled:

@@ -7,6 +7,7 @@ import numpy as np
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.solve.cores.ahead import beside
 from exoid.fitting.solve.cores.side_by_side import side_by_side
+from exoid.fitting.solve.program_cache import leave
 from exoid.mismatch.evidence.measure import misfits
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.many_free import release
@@ -46,7 +47,7 @@ def left_by(one: Optimum, seen: Observation) -> float:
 def simulated(prepared: PreparedRecording, starts: list[Hypothesis], rival: float) -> list[Optimum]:
     """Running free, each from one start, as far as they come near what a rival leaves."""
     for one in reversed(starts):
-        beside(release, prepared, one)
+        beside(leave, release, prepared, one)
     each = side_by_side(lambda start: polished(prepared, start, rival), starts)
     return [one for one in each if one.sound]
 
