@@ -7,7 +7,7 @@ from exoid.mismatch.missing_physics import diagnose
 from exoid.mismatch.rehearsal import rehearse
 from legs import drop, recording
 
-TESTING = ("along", "show", "act")
+TESTING = ("along", "act")
 
 
 @pytest.mark.slow

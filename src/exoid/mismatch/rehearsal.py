@@ -14,7 +14,7 @@ from exoid.fitting.movements import movements_in
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.program_cache import leave
 from exoid.mismatch.prepare import compared, sensors_of, tested, unknown
-from exoid.mismatch.screen.along_motion import effects, read
+from exoid.mismatch.screen.along_motion import effects
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.many_pinned import evaluate, room
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
@@ -35,8 +35,7 @@ def rehearse(named: list[tuple[str, Recording]]) -> None:
         if applies(prepared, term)
     ]
     for one in reversed(tried):
-        leave(read, prepared, [one])
-        leave(effects, prepared, [one])
+        effects(prepared, [one])
     rooms = {room(sum(map(np.size, one.values))): (one, motion) for one, motion in tried}
     leave(evaluate, prepared, [*rooms.values()])
 
