@@ -6,14 +6,14 @@ from itertools import combinations
 
 import numpy as np
 
-from exoid.fitting.result.fit_result import FitResult, SegmentFit
+from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.ask import sensed
-from exoid.mismatch.evidence.measure import long_run
 from exoid.mismatch.evidence.yardstick import UNEXPLAINED
 from exoid.physics.term import Term, name_of, of_alike, pushing_alike
 from exoid.planning.candidate_recordings import candidates, drops_of_rig, moving
 from exoid.planning.expected_information import posed
-from exoid.planning.expected_odds import DECISIVE, RivalFit, probability, rival_fit
+from exoid.planning.expected_odds import RivalFit, probability, rival_fit
+from exoid.planning.odds_at_hand import odds_at_hand, told_already
 from exoid.planning.planned import Candidate, Contrast, Telling
 from exoid.planning.prior_knowledge import PriorKnowledge, from_result
 from exoid.recordings.recording import Subject
@@ -52,8 +52,7 @@ def plan_between(fits: Sequence[FitResult], subject: Subject) -> Contrast:
         Telling(each, odds := comparison.log_odds([each]), probability(odds))
         for each in comparison.options
     ]
-    apart = min(abs(one - other) for one, other in combinations(at_hand, 2))
-    told = apart > DECISIVE and any(map(explains, fits))
+    told = told_already(fits) and any(map(explains, fits))
     best = comparison.greedy()
     chosen = best if not told and probability(comparison.log_odds(best)) > LIKELY else []
     expected = comparison.log_odds(chosen or best)
@@ -91,33 +90,9 @@ def rival_name(terms: Sequence[Term]) -> str:
     return " + ".join(name_of(type(each)) for each in terms) or "Eq. 9 alone"
 
 
-def odds_at_hand(fits: Sequence[FitResult]) -> list[float]:
-    """The log odds of each of them against the best, by the recordings at hand.
-
-    What even the best leaves, and what is correlated in it, makes few samples of many.
-    """
-    best = min(fits, key=lambda each: each.loss)
-    left = [one for each in best.segments for one in left_in(each)]
-    weight = max(1.0, float(np.mean(left)))
-    return [(best.loss - each.loss) / weight for each in fits]
-
-
 def explains(each: FitResult) -> bool:
     """Is what it leaves of the angle hardly more than noise?"""
     return each.angle_rmse**2 < UNEXPLAINED * each.angle_noise**2
-
-
-def left_in(segment: SegmentFit) -> list[float]:
-    """Of every sample, what is left over the noise: its variance in the long run."""
-    step, found = float(np.median(np.diff(segment.time))), []
-    for seen, shown, noise in (
-        (segment.angle, segment.simulated_angle, segment.angle_noise),
-        (segment.angular_velocity, segment.simulated_velocity, segment.velocity_noise),
-    ):
-        if seen is not None:
-            left = (shown - seen)[~np.isnan(seen)] / noise
-            found += [long_run(left, step)] * left.size
-    return found
 
 
 def compared(known: list[PriorKnowledge], every: list[Candidate], noise: float) -> "Comparison":
