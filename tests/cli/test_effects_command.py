@@ -2,6 +2,7 @@
 
 from command_line import refusal
 
+from exoid.mismatch.novel.nameless import NAMELESS
 from exoid.physics.library import library
 from exoid.physics.term import name_of
 
@@ -29,6 +30,14 @@ def test_one_is_explained_with_its_equation_and_ranges(command):
     assert "tau = -F_c sgn(phi')" in said
     assert "level F_c: Friction level, 0 to 50 N m" in said
     assert "Isolated by: drops from a large and from a small angle" in said
+
+
+def test_whatever_a_diagnosis_may_name_is_listed_and_explained(command):
+    first = {line.split(" ")[0] for line in command("effects").stdout.splitlines()}
+    assert first >= {name_of(term) for term in NAMELESS}
+    said = " ".join(command("effects", "damping_by_angle").stdout.split())
+    assert "damped more at one end of its range" in said
+    assert "tau = -k phi phi'" in said
 
 
 def test_ones_own_are_listed_and_others_refused(command, tmp_path):

@@ -17,7 +17,7 @@ def effects(
 ) -> None:
     """List the effects that --with and --between take.
 
-    With a name its equation, the range of its values, the recording that would show it apart from
+    Simple torques that only 'exoid diagnose' tries are listed last. With a name its equation, the range of its values, the recording that would show it apart from
     others, and its source.
 
     \b
@@ -27,12 +27,15 @@ def effects(
       exoid effects --terms my_terms.py    with terms of your own
     """
     own = own_terms(terms)
-    chosen = terms_asked(names, own, option="effects") if names else ()
     from exoid.cli.outputs.effects import explain_effect, print_effects
+    from exoid.mismatch.novel.nameless import NAMELESS
     from exoid.physics.library import library
+    from exoid.physics.term import name_of
 
+    simple = tuple(sorted(NAMELESS, key=name_of))
+    chosen = terms_asked(names, (*own, *simple), option="effects") if names else ()
     if not chosen:
-        show(lambda console: print_effects((*own, *library()), console))
+        show(lambda console: print_effects((*own, *library()), simple, console))
     for each in chosen:
         term = each if isinstance(each, type) else type(each)
         show(lambda console, term=term: explain_effect(term, console))

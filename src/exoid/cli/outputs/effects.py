@@ -10,14 +10,24 @@ from exoid.physics.term import SensorTerm, Term, name_of
 from exoid.report.tables.table import Table, print_table
 from exoid.report.words.text import aligned, capital, heading, say, shown_unit
 
-MORE = "exoid effects NAME says more of one; exoid fit --with NAME has it in the model."
+MORE = (
+    "exoid effects NAME says more of one; exoid fit --with NAME has it in the model, but for those "
+    "that only a diagnosis tries: where one of them explains as much as a cause with a name, that "
+    "is not claimed."
+)
 
 
-def print_effects(terms: Sequence[type[Term]], console: Console) -> None:
+def print_effects(
+    terms: Sequence[type[Term]], simple: Sequence[type[Term]], console: Console
+) -> None:
     """A line of each: its name, what it is, and its values with their units."""
     sensors = [term for term in terms if issubclass(term, SensorTerm)]
     torques = [term for term in terms if term not in sensors]
-    for title, each in (("Torques on the leg", torques), ("Errors of sensors", sensors)):
+    for title, each in (
+        ("Torques on the leg", torques),
+        ("Errors of sensors", sensors),
+        ("Simple torques that only a diagnosis tries", simple),
+    ):
         columns = {
             "name": [name_of(term) for term in each],
             "what it is": [term.title for term in each],
