@@ -13,9 +13,9 @@ from exoid.mismatch.conclude.asserted import (
     at_its_most,
     certain_of,
     equivalents,
-    plainest,
     weight,
 )
+from exoid.mismatch.conclude.plainest import plainest
 from exoid.mismatch.conclude.rivals import ONE_AT_A_TIME, REPEAT, advice
 from exoid.mismatch.conclude.verdict.cannot_tell import unrelaxed
 from exoid.mismatch.conclude.verdict.undecided import undecided
@@ -221,6 +221,25 @@ def test_of_exact_twins_that_is_named_which_every_gyro_has_some_of():
     assert plainest(found_of([late], [far]), late) is late
     other = explaining(1000.2, HardStop, GyroScale)
     assert plainest(found_of([late], [other]), late) is late
+
+
+@pytest.mark.parametrize(
+    ("rest", "rig", "named"),
+    [
+        (0.5, False, TorqueBias),  # 29 deg beyond full extension: no knee's spring is slack there
+        (-0.5, False, StiffnessRestAngle),
+        (0.5, True, StiffnessRestAngle),  # whose zero is anywhere
+    ],
+)
+def test_a_constant_torque_is_no_spring_that_is_slack_where_no_knee_is(rest, rig, named):
+    best, twin = explaining(1000.0, StiffnessRestAngle), explaining(1000.2, TorqueBias)
+    best = replace(best, candidate=replace(best.candidate, values=(np.array([rest]),)))
+    found = found_of([best, twin])
+    found.prepared.rig = rig
+    assert plainest(found, best).candidate.terms == (named,)
+    far = found_of([best, explaining(1100.0, TorqueBias)])
+    far.prepared.rig = rig
+    assert plainest(far, best) is best
 
 
 def test_a_hysteresis_that_yields_at_once_is_dry_friction_and_no_hysteresis():

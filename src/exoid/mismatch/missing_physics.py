@@ -12,9 +12,9 @@ from exoid.fitting.data.movement import Movement
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis
-from exoid.mismatch.conclude.asserted import plainest
 from exoid.mismatch.conclude.choose import Chosen, choose
 from exoid.mismatch.conclude.formulated import formulated
+from exoid.mismatch.conclude.plainest import plainest
 from exoid.mismatch.conclude.sensor_faults import with_faults_told
 from exoid.mismatch.conclude.unusual_zero import as_a_term, unusual
 from exoid.mismatch.conclude.verdict.cannot_tell import too_little

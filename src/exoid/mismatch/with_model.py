@@ -22,6 +22,7 @@ from exoid.mismatch.conclude.rivals import (
     suspects,
     with_rivals,
 )
+from exoid.mismatch.conclude.twin_sizes import as_fitted, twin_sizes
 from exoid.mismatch.conclude.verdict.cannot_tell import unlike_a_leg
 from exoid.mismatch.conclude.verdict.own_torques import RELAXED
 from exoid.mismatch.novel.formula import fitted_formula
@@ -180,8 +181,11 @@ def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
         return replace(each, value=fitted.value, standard_error=fitted.standard_error)
 
     parameters = [told(each) for each in found.parameters]
-    booked, suspected = by_the_fits(found, after)
-    more: dict[str, Any] = {"booked": booked, "suspected": suspected}
+    booked, each = by_the_fits(found, after)
+    twins = twin_sizes(after, found.equivalent, inertia)
+    known, larger = [*parameters, *twins], inertia / found.inertia
+    suspected = [as_fitted(one, found.best.terms, known, larger) for one in each]
+    more: dict[str, Any] = {"booked": booked, "suspected": suspected, "twins": twins}
     if found.formula is not None:
         own = fitted_formula(after.fitted_terms)
         more["formula"] = replace(found.formula, words=own.words, over_inertia=own.over(inertia))

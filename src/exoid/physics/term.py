@@ -67,6 +67,11 @@ class Term(eqx.Module):
     replaces: ClassVar[str] = ""  # what a fit estimates of every recording and the term is itself
 
     @staticmethod
+    def as_twin(size: Any) -> Any:
+        """The size of its `twin` that looks the same."""
+        return size
+
+    @staticmethod
     def as_same_torque(size: Any, stiffness: Any) -> Any:
         """The size of the term named `same_torque` on a leg of this stiffness [N m/rad]."""
         return size
@@ -77,6 +82,10 @@ class Term(eqx.Module):
 
     def itself(self) -> bool:
         """Is it at these values still what it is called?"""
+        return True
+
+    def possible(self) -> bool:
+        """Can a person's leg have it at these values?"""
         return True
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:

@@ -69,10 +69,11 @@ class NovelTorque:
 
 @dataclass(frozen=True)
 class Suspect:
-    """What a cause that it may be would make of the leg's numbers."""
+    """What a cause that it may be would make of the leg's numbers, and its own."""
 
     terms: list[str]
     numbers: list[Booked]
+    parameters: list[Parameter] = field(default_factory=list)  # none in older files
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,6 +113,7 @@ class Diagnosis:
     weight: Annotated[float | None, "1"] = None
     suspected: list[Suspect] = field(default_factory=list)  # what it may be, where more than one
     advice: list[str] = field(default_factory=list)
+    twins: list[Parameter] = field(default_factory=list)  # of what would look exactly alike
     but_ends: bool = False  # is nothing missing but where movements begin or end?
     # None where it was read from a file
     workings: Workings | None = field(default=None, metadata={"saved": False})

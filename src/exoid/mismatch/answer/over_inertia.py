@@ -28,8 +28,7 @@ def over_inertia(each: Any, found: Any) -> Any:
     if ratio is not None and ratio.value is not None:
         own = {"value": ratio.value, "standard_error": ratio.standard_error}
         return replace(each, name=f"{each.name} / J", unit=ratio.unit, **own)
-    declared = dict(parameters_of(library())).get(each.name)
-    power = float(each.unit.startswith("N m")) if declared is None else declared.inertia_power
+    power = power_of(each)
     if not power:
         return each
     scale = found.inertia**-power
@@ -38,3 +37,15 @@ def over_inertia(each: Any, found: Any) -> Any:
     unit = RATIO_UNITS.get(each.unit, f"{each.unit} {word} kg m^2")
     own = {"value": each.value * scale, "standard_error": error}
     return replace(each, name=f"{each.name} {sign} J", unit=unit, **own)
+
+
+def power_of(each: Any) -> float:
+    """1 of what grows with J, -1 of what falls with it, as a compliance does; else 0."""
+    declared = dict(parameters_of(library())).get(each.name)
+    return float(each.unit.startswith("N m") if declared is None else declared.inertia_power)
+
+
+def times_inertia(each: Any, factor: float) -> Any:
+    """The parameter of a leg whose J is so many times as large."""
+    scale, error = factor ** power_of(each), each.standard_error
+    return replace(each, value=each.value * scale, standard_error=error and error * scale)

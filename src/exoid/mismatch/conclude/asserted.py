@@ -1,7 +1,6 @@
 """What is certain: the causes that every explanation has which this recording cannot tell apart."""
 
 from collections.abc import Sequence
-from itertools import permutations
 
 import numpy as np
 
@@ -13,7 +12,7 @@ from exoid.mismatch.search.rank import alike, simpler_form
 from exoid.physics.library import library
 from exoid.physics.parameter import AT_AN_END, declarations
 from exoid.physics.scale import ranged
-from exoid.physics.term import SensorTerm, Term, holds, name_of
+from exoid.physics.term import SensorTerm, Term, name_of
 
 PLAIN = 2  # numbers of a cause; with more a wrong one comes near sooner
 SOFT = 0.1  # of the stiffness that the baseline saw, below which a leg has hardly any
@@ -135,66 +134,6 @@ def causes_of(one: Optimum) -> list[type[Term]]:
     inside = {term.includes() for term in each}
     own = [type(term) for term in each if term.itself()]
     return [*own, *(term for term in library() if name_of(term) in inside)]
-
-
-def plainest(found: Found, best: Optimum) -> Optimum:
-    """The best, or where it only includes what is certain, the best of those that have it: a frame
-    that rubs has dry friction, and play beside it that nobody needs.
-    """
-    equal, certain = equivalents(found, best), certain_of(found, best)
-
-    def plain(one: Optimum) -> bool:
-        return all(any(same_cause(cause, own) for own in one.candidate.terms) for cause in certain)
-
-    each = [one for one in equal if plain(one)]
-    chosen = best if best in each or not each else max(each, key=found.evidence)
-    return in_usual_form(found, in_plainest_form(found, chosen))
-
-
-def in_usual_form(found: Found, best: Optimum) -> Optimum:
-    """The same with what every gyro has some of, where its exact twin is a fault that few clocks
-    have: nothing but rounding tells the two apart.
-    """
-    mine, measure = families(best), found.yardstick
-    twins = [
-        one
-        for one in (*found.singles, *found.pairs)
-        if families(one) == mine and alike(one, best, measure)
-    ]
-    return max([best, *twins], key=lambda one: sum(term.everyday for term in one.candidate.terms))
-
-
-def families(one: Optimum) -> list[list[str]]:
-    """Its causes, each with its exact twin."""
-    return sorted(sorted({name_of(term), term.twin}) for term in one.candidate.terms)
-
-
-def in_plainest_form(found: Found, best: Optimum) -> Optimum:
-    """The same with a cause in a simpler form, where the finer one explains less than what remains
-    unexplained: that may as well be of the same size and shape.
-    """
-    most = 2 * best.square - found.yardstick.samples
-    simpler = [
-        one
-        for one in (*found.singles, *found.pairs)
-        if best.square <= one.square < most and is_simpler(one, best)
-    ]
-    noise = found.yardstick.explains(best.square)
-    return best if noise or not simpler else max(simpler, key=found.evidence)
-
-
-def is_simpler(one: Optimum, other: Optimum) -> bool:
-    """Has it the same causes, some in a simpler form? What sticks has none that does not."""
-    mine, others = one.candidate.terms, other.candidate.terms
-    return set(mine) != set(others) and any(
-        len(order) == len(others) and all(map(is_form_of, order, others))
-        for order in permutations(mine)
-    )
-
-
-def is_form_of(term: type[Term], its: type[Term]) -> bool:
-    """Is it the same, or a simpler form of it?"""
-    return term is its or (simpler_form(term, its) and holds(term) is holds(its))
 
 
 def weight(found: Found, causes: tuple[type[Term], ...]) -> float:

@@ -8,7 +8,7 @@ from exoid.fitting.result.fit_result import RIVALS, Estimate, FitResult
 from exoid.fitting.result.remarks.leaning import BENT
 from exoid.fitting.result.remarks.slack_angle import leaning
 from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect, Verdict
-from exoid.mismatch.conclude.numbers import moved
+from exoid.mismatch.conclude.numbers import moved, parameters_of
 from exoid.mismatch.evidence.yardstick import APART
 from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
@@ -41,7 +41,10 @@ def likely(found: Found) -> list[Optimum]:
 def suspects(found: Found, each: list[Optimum], best: Optimum) -> list[Suspect]:
     """What the likeliest causes would make of the leg's numbers; the one that is named is first."""
     each = sorted(each, key=lambda one: one is not best)[:SUSPECTS]
-    return [Suspect(names(one), moved(found, found.base, one)) for one in each]
+    return [
+        Suspect(names(one), moved(found, found.base, one), parameters_of(found, one, None))
+        for one in each
+    ]
 
 
 def hidden(found: Found, result: FitResult) -> list[Optimum]:

@@ -1,5 +1,7 @@
 """A clock that runs too fast or too slow."""
 
+from typing import Any
+
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, Reading, Scalar, SensorTerm, reading
@@ -29,6 +31,10 @@ class ClockRate(SensorTerm):
     replaces = "clock"
 
     rate: Parameter = parameter("k", "1", -0.05, 0.05, "rate error", (0.005,))
+
+    @staticmethod
+    def as_twin(size: Any) -> Any:
+        return -size / (1 + size)
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         squared, ratios = self.rate * (2 + self.rate), now.place.ratios

@@ -1,5 +1,7 @@
 """A gyro whose rates are too high or too low in proportion."""
 
+from typing import Any
+
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, Reading, SensorTerm, reading
@@ -27,6 +29,10 @@ class GyroScale(SensorTerm):
     replaces = "gyro_scale"
 
     scale: Parameter = parameter("s", "1", -0.3, 0.3, "scale error", (0.01,))
+
+    @staticmethod
+    def as_twin(size: Any) -> Any:
+        return -size / (1 + size)
 
     def shown(self, now: Moment, memory: Memory) -> Reading:
         return reading(angular_velocity=self.scale * now.angular_velocity)

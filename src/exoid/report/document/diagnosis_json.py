@@ -40,6 +40,7 @@ def diagnosis_document(
             ],
             "pattern": found.location.pattern,
             "parameters": {each.name: shown(each, ["name"]) for each in found.parameters},
+            "twins": {each.name: shown(each, ["name"]) for each in found.twins},
             "inertia_of_parameters": found.inertia,
             "inertia_of_where": found.location.inertia or found.inertia,
             "inertia_is_a_guess": found.fit.parameters["inertia"].value is None,
@@ -50,6 +51,7 @@ def diagnosis_document(
                 {
                     "terms": each.terms,
                     "numbers": {one.name: shown(one, ["name"]) for one in each.numbers},
+                    "parameters": {one.name: shown(one, ["name"]) for one in each.parameters},
                 }
                 for each in found.suspected
             ],

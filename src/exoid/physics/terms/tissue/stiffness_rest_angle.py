@@ -1,10 +1,13 @@
 """A spring that is slack elsewhere than at full extension."""
 
+from math import radians
 from typing import Any
 
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Scalar
+
+OVEREXTENDED = radians(15.0)  # rad, beyond which hardly any knee extends, and none is slack
 
 
 class StiffnessRestAngle(PhysicsTerm):
@@ -13,8 +16,8 @@ class StiffnessRestAngle(PhysicsTerm):
     title = "rest angle of the passive stiffness"
     reference = "Riener & Edrich, J Biomech 32(5), 1999"
     explanation = (
-        "The relaxed knee's spring is slack in a bent position, not at full extension as Eq. 9 "
-        "has it."
+        "The relaxed knee's spring is slack at another angle than full extension, where Eq. 9 has "
+        "it."
     )
     isolate = "the hanging angle without and with a known added mass"
 
@@ -27,6 +30,9 @@ class StiffnessRestAngle(PhysicsTerm):
     @staticmethod
     def as_same_torque(size: Any, stiffness: Any) -> Any:
         return size * stiffness
+
+    def possible(self) -> bool:
+        return float(self.rest_angle) < OVEREXTENDED
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         return now.stiffness * self.rest_angle

@@ -37,7 +37,7 @@ def verdict(found: Diagnosis) -> str:
     of_sensors = only_sensors(found) or only_usual(found)
     if found.verdict != "mismatch" or found.novel or of_sensors or not found.selected:
         return headline(found)
-    return ", or ".join(["Missing: " + " and ".join(titles(found)), *twins(found)])
+    return ", or ".join(["Missing: " + " and ".join(titles(found)), *twins(found).values()])
 
 
 def titles(found: Diagnosis) -> list[str]:
