@@ -102,27 +102,6 @@ def unclaimed(found: Diagnosis, reasons: list[str]) -> Diagnosis:
     return replace(found, verdict="cannot_tell", reasons=reasons, **nothing, **more)
 
 
-def beside_a_hand(later: Diagnosis, whole: Diagnosis) -> Diagnosis:
-    """What is found of a recording without its first instants, where a hand may have been on the
-    leg; with what else they may be, by the `whole` recording.
-    """
-    if later.verdict != "cannot_tell":
-        return later
-    named, work = words(whole.selected), just_made(whole)
-    left, all_ = (f"{np.degrees(one.total):.2g}" for one in (whole.proof.after, whole.proof.before))
-    terms = " ".join(f"--with {name}" for name in whole.selected)
-    why = (
-        f"or it is {named}, which predicts all of it to {left} deg (Eq. 9: {all_} deg), by 'exoid "
-        f"fit {terms}': both look alike where they act but once a drop"
-    )
-    segments = len(later.before.segments)
-    suspected = [*later.suspected, *suspects(work.found, [work.best], work.best)]
-    then = [*later.advice, *advice([work.best], "cannot_tell", None, segments)]
-    return replace(
-        later, reasons=[*later.reasons, why], suspected=suspected, advice=list(dict.fromkeys(then))
-    )
-
-
 def by_eq9(found: Diagnosis) -> Diagnosis:
     """The same with the numbers of Eq. 9 alone, and what others would make of them."""
     work = just_made(found)

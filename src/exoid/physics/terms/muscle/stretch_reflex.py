@@ -8,6 +8,7 @@ from exoid.physics.term import Memory, PhysicsTerm, Scalar
 
 STAGES = 4  # of the delay: as many lags in a row
 RISE = 0.03  # s, in which the muscle's torque follows
+LAG = f"before a lag of {RISE:g} s"
 
 
 class StretchReflex(PhysicsTerm):
@@ -23,13 +24,14 @@ class StretchReflex(PhysicsTerm):
         "a threshold: only while flexing, only when fast."
     )
     isolate = "drops from several angles, so that only some pass the threshold; EMG"
+    remark = f"the delay is that {LAG}, in which the torque follows: in all it is the sum"
     living = True
     substeps = 4  # at 25 Hz a delay of 0.02 s is carried
     memory_size = STAGES + 1
 
     gain: Parameter = parameter("g", "N m s/rad", 0.0, 10.0, "reflex gain", (0.1,))
     threshold: Parameter = parameter("v_th", "rad/s", 0.0, 8.0, "threshold of speed", (0.5, 2.0))
-    delay: Parameter = parameter("t_d", "s", 0.004, 0.15, "delay", (0.045,))
+    delay: Parameter = parameter("t_d", "s", 0.004, 0.15, f"delay {LAG}", (0.045,))
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         return self.gain * memory[STAGES]
