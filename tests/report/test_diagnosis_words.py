@@ -1,11 +1,13 @@
 """A diagnosis in words."""
 
 from dataclasses import replace
+from io import StringIO
 from typing import Any
 
 import jax.numpy as jnp
 import pytest
 from diagnosis_by_hand import doubtful, found, nothing, novel
+from rich.console import Console
 
 from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.result.fit_result import Estimate
@@ -14,7 +16,7 @@ from exoid.mismatch.answer.diagnosis import Booked, Finding, NovelTorque, Parame
 from exoid.mismatch.sensors.agreement import SensorError
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
-from exoid.report.tables.diagnosis import suspects
+from exoid.report.tables.diagnosis import print_diagnosis, suspects
 from exoid.report.words.astray import astray
 from exoid.report.words.diagnosis.asserted import ran_free
 from exoid.report.words.diagnosis.cause import parameter
@@ -22,6 +24,7 @@ from exoid.report.words.diagnosis.leg import beside
 from exoid.report.words.diagnosis.sentences import sentences
 from exoid.report.words.diagnosis.used import used
 from exoid.report.words.diagnosis.verdict import headline, verdict
+from exoid.report.words.estimate import written
 
 
 def test_what_was_used_does_not_say_again_why_the_rest_was_not():
@@ -60,15 +63,27 @@ def test_what_the_fit_estimates_anyway_is_told_as_an_error_of_a_sensor():
     assert "chance of" in sentences(one)["How sure"]
 
 
-@pytest.mark.parametrize("together", [True, False])
-def test_two_numbers_of_one_error_are_told_apart(together):
-    """With what else is missing a bias is another than encoder and gyro say of it alone."""
+def biased(alone: float, named: float) -> str:
+    """What is said of the sensors where a gyro's bias [rad/s] is named beside another cause."""
     bias = Finding("gyro_bias", "bias of the gyro", "It shows a rate at rest.", "a data sheet")
-    by_itself = SensorError("gyro_bias", 0.0069, 0.0001, "rad/s")
-    more = [bias] if together else []
     one = found()
-    one = replace(one, findings=[*one.findings, *more], sensors=[by_itself])
-    assert ("each by itself" in sentences(one)["Sensors"]) is together
+    one = replace(one, sensors=[SensorError("gyro_bias", alone, 0.0001, "rad/s")])
+    assert "as if by gyro bias" in sentences(one)["Sensors"]  # where nothing else has named it
+    size = Parameter("gyro_bias.bias", named, "rad/s", 0.0001)
+    both = replace(one, findings=[*one.findings, bias], parameters=[*one.parameters, size])
+    return sentences(both)["Sensors"]
+
+
+def test_an_error_that_is_named_beside_another_cause_has_one_number():
+    said = biased(0.0069, 0.0070)
+    assert said == "encoder and gyro differ by the gyro bias that is named above."
+
+
+def test_two_numbers_of_one_error_are_told_apart():
+    """With what else is missing a bias is another than encoder and gyro say of it alone."""
+    said = biased(0.0044, 0.0087)
+    assert "as if by gyro bias 0.2521 ± 0.0057 deg/s" in said
+    assert said.endswith("were there no dry friction: beside that it is as large as named above.")
 
 
 def test_a_cause_that_the_fit_has_and_nobody_claims_is_said_to_be_uncertain():
@@ -177,6 +192,66 @@ def test_what_is_the_same_in_every_recording_is_no_doubt(named, twin, title):
 def test_a_number_that_is_smaller_than_its_error_is_no_size():
     wide = Parameter("torque_bias.bias", -0.2, "N m", 1.3)
     assert parameter(wide) == "bias not determined (± 1.3 N m)"
+
+
+def test_a_number_that_is_told_to_be_nothing_is_determined():
+    """A step of 0.06 mrad, where a strap that slips moves an encoder by 10 mrad."""
+    step = Parameter("zero_drift.step", 1.4e-5, "rad", 1.9e-5)
+    assert parameter(step) == "step 0 within ± 0.0011 deg"
+
+
+def test_an_exact_twin_is_told_with_its_size():
+    (cause,) = found().findings
+    sizes = [
+        Parameter("stiffness_rest_angle.rest_angle", 0.52, "rad", 0.01),
+        Parameter("torque_bias.bias", 1.56, "N m", 0.16),
+        Parameter("torque_bias.bias_over_inertia", 3.84, "1/s^2", 0.05),
+    ]
+    alike = ["stiffness_rest_angle", "torque_bias"]
+    named = replace(cause, name=alike[0])
+    one = replace(found(), findings=[named], equivalent=alike, parameters=sizes[:1])
+    said = sentences(replace(one, twins=sizes[1:]))["Missing"]
+    twin = "constant torque, bias 1.56 ± 0.16 N m, bias / J 3.840 ± 0.050 1/s^2"
+    assert said.endswith(f"; or {twin}, which would look exactly alike")
+
+
+def test_a_reflex_is_later_than_its_delay():
+    (cause,) = found().findings
+    delay = Parameter("stretch_reflex.delay", 0.0134, "s", 0.0006)
+    one = replace(found(), findings=[replace(cause, name="stretch_reflex")], parameters=[delay])
+    said = sentences(one)["Missing"]
+    assert "delay 0.01340 ± 0.00060 s" in said
+    assert "before a lag of 0.03 s" in said
+
+
+def printed(one) -> str:
+    console = Console(width=300, file=StringIO())
+    print_diagnosis(one, console)
+    return console.file.getvalue()
+
+
+def test_where_nobody_can_tell_the_leg_has_numbers_with_errors():
+    said = printed(doubtful())
+    assert "The leg, by Eq. 9 alone" in said
+    known = {name: one for name, one in doubtful().before.ratios.items() if one.value is not None}
+    for one in known.values():
+        row = next(line for line in said.splitlines() if f" {one.symbol} " in line)
+        assert written(one) in row
+    assert known
+    lost = replace(doubtful(), before=replace(doubtful().before, astray="it misses the angle"))
+    assert "The leg, by Eq. 9 alone" not in printed(lost)
+    assert "the leg has no numbers with errors here" in printed(lost)
+
+
+def test_suspects_are_told_with_their_sizes():
+    sizes = [Parameter("torque_bias.bias", -1.75, "N m", 0.02)]
+    one = Suspect(["torque_bias"], NUMBERS, sizes)
+    assert "As large as: torque bias: bias -1.750 ± 0.020 N m" in printed(
+        with_inertia(INERTIA, suspected=[one], verdict="cannot_tell")
+    )
+    assert "As large as" not in printed(
+        replace(doubtful(), suspected=[replace(one, parameters=[])])
+    )
 
 
 def test_a_formula_of_half_a_torque_is_not_that_torque():

@@ -17,8 +17,8 @@ def effects(
 ) -> None:
     """List the effects that --with and --between take.
 
-    Simple torques that only 'exoid diagnose' tries are listed last. With a name its equation, the range of its values, the recording that would show it apart from
-    others, and its source.
+    Simple torques that only 'exoid diagnose' tries stand last. With a name its equation, the range
+    of its values, the recording that would show it apart from others, and its source.
 
     \b
     Examples:

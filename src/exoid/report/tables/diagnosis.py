@@ -4,11 +4,14 @@ from rich.console import Console
 
 from exoid.fitting.result.fit_result import RIVALS, FitResult
 from exoid.fitting.result.limiting_systematics import chief
+from exoid.fitting.result.summary import quantities
 from exoid.mismatch.answer.diagnosis import Diagnosis
-from exoid.report.tables.leg import before_and_after
+from exoid.mismatch.answer.over_inertia import guessed, parameters_shown
+from exoid.report.tables.leg import before_and_after, in_print, quantities_of
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.astray import astray
 from exoid.report.words.diagnosis.asserted import evidence, is_chosen, ran_free
+from exoid.report.words.diagnosis.cause import for_inertia, parameter, remark
 from exoid.report.words.diagnosis.leg import beside, tabled
 from exoid.report.words.diagnosis.sentences import sentences
 from exoid.report.words.diagnosis.used import used
@@ -23,6 +26,7 @@ from exoid.report.words.text import (
 )
 
 IN_ERRORS = "The errors of the leg's numbers hold how far these are apart, each by its odds."
+NO_ERRORS = "Eq. 9 alone does not follow the recording: the leg has no numbers with errors here."
 LEGEND = (
     "left: mean square of what is left over the noise, 1.00 is the noise itself. evidence: log "
     "odds times two against the baseline, after the price of the parameters."
@@ -54,12 +58,39 @@ def print_diagnosis(found: Diagnosis, console: Console) -> None:
         say(console, f"± one standard error, with the part for {in_errors_of(found.after)}.")
         for each in beside(found):
             say(console, each)
+    if found.verdict == "cannot_tell" and found.after is None:
+        print_by_eq9(found.before, console)
     if found.suspected:
         print_table(suspects(found), console)
-        say(console, IN_ERRORS)
+        if found.fit.follows:
+            say(console, IN_ERRORS)
+        if said := how_large(found):
+            say(console, said)
     print_table(candidates(found), console)
     say(console, legend(found))
     console.print()
+
+
+def print_by_eq9(fit: FitResult, console: Console) -> None:
+    """The numbers of the leg with errors that hold its suspects, or that it has none."""
+    if not fit.follows:
+        say(console, NO_ERRORS)
+        return
+    print_table(by_eq9(fit), console)
+    say(console, f"± one standard error, with the part for {in_errors_of(fit)}.")
+
+
+def by_eq9(fit: FitResult) -> Table:
+    """The numbers of the leg where nothing is told by name."""
+    known = {name: in_print(one) for name, one in quantities(fit).items() if one.value is not None}
+    each = list(known.values())
+    columns = {
+        "quantity": [quantity_words(name) for name in known],
+        "symbol": Column([one.symbol for one in each], symbols=True, head="", spare=3),
+        "value": quantities_of(each),
+        "set by": [one.set_by or "" for one in each],
+    }
+    return Table("The leg by Eq. 9 alone", columns, "The leg, by Eq. 9 alone")
 
 
 def suspects(found: Diagnosis) -> Table:
@@ -77,6 +108,20 @@ def suspects(found: Diagnosis) -> Table:
     columns["unit"] = [shown_unit(one.unit) for one in first]
     title = "What each cause that it may be would make of the leg"
     return Table(title, columns, title)
+
+
+def how_large(found: Diagnosis) -> str:
+    """The sizes of the suspects, by noise alone but for what a fit has; none in older files."""
+    each = [
+        f"{causes_in_words(one.terms)}: {', '.join(map(parameter, parameters_shown(found, own)))}"
+        f"{''.join(map(remark, one.terms))}"
+        for one in found.suspected
+        if (own := one.parameters)
+    ]
+    torques = any(one.unit.startswith("N m") for each in found.suspected for one in each.parameters)
+    known = torques and not guessed(found.fit)
+    scale = f" ({for_inertia(found.inertia, found.fit)})" if known else ""
+    return f"As large as: {'; '.join(each)}{scale}." if each else ""
 
 
 def candidates(found: Diagnosis) -> Table:

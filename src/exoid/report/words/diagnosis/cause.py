@@ -3,7 +3,7 @@
 import re
 from math import degrees
 
-from exoid.fitting.model.term_parameters import RATIO_UNITS, parameters_of
+from exoid.fitting.model.term_parameters import RATIO_UNITS, parameters_of, step_of
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.limiting_systematics import WORDS, chief
 from exoid.mismatch.answer.diagnosis import Diagnosis, NovelTorque, Parameter
@@ -11,6 +11,7 @@ from exoid.mismatch.answer.over_inertia import guessed, parameters_shown
 from exoid.mismatch.sensors.agreement import SensorError
 from exoid.physics.library import library
 from exoid.physics.parameter import AT_AN_END
+from exoid.physics.term import name_of
 from exoid.report.words.text import DIMENSIONLESS, with_error
 
 MOSTLY = 0.5  # of a variance
@@ -31,8 +32,14 @@ def named(found: Diagnosis) -> list[str]:
         each = [each for each in found.parameters if each.name.startswith(f"{one.name}.")]
         own = parameters_shown(found, each)
         said = ", ".join(f"{parameter(one)}{limited(found, one)}" for one in own)
-        lines.append(f"{one.title}, {said}{scale(found, own)}")
+        lines.append(f"{one.title}, {said}{scale(found, own)}{remark(one.name)}")
     return lines
+
+
+def remark(name: str) -> str:
+    """What to know of the numbers of a term of the library."""
+    said = {name_of(term): term.remark for term in library()}.get(name)
+    return f" ({said})" if said else ""
 
 
 def limited(found: Diagnosis, each: Parameter) -> str:
@@ -127,8 +134,15 @@ def value(each: Parameter | SensorError) -> str:
         limit = ", its limit" if at_limit(each) else ""
         return f"not determined (at {number:.3g}{unit}{limit})"
     if error > abs(number):
-        return f"not determined (± {error:.2g}{unit})"
+        small = each.standard_error < much(each)
+        return f"0 within ± {error:.2g}{unit}" if small else f"not determined (± {error:.2g}{unit})"
     return f"{with_error(number, error)}{unit}"
+
+
+def much(each: Parameter | SensorError) -> float:
+    """A size of its parameter that is worth a word, below which an error tells that it is none."""
+    declared = dict(parameters_of(library())).get(each.name)
+    return 0.0 if declared is None else step_of(declared)
 
 
 def at_limit(each: Parameter | SensorError) -> bool:

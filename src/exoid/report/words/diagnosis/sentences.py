@@ -1,15 +1,22 @@
 """A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
 
+from math import hypot
+
 from exoid.fitting.result.remarks.noise_remarks import of_play, times_off
-from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.answer.over_inertia import guessed
+from exoid.mismatch.sensors.agreement import SensorError
+from exoid.recordings.tables.sheet import listed
 from exoid.report.words.diagnosis.asserted import only_sensors, only_usual, parted, reason
 from exoid.report.words.diagnosis.cause import explanations, for_inertia, named, parameter
 from exoid.report.words.diagnosis.certainty import alike, how_sure, suspected, trust
 from exoid.report.words.diagnosis.leg import booked, doubted
 from exoid.report.words.diagnosis.located import located
 from exoid.report.words.diagnosis.remainder import remains
+from exoid.report.words.text import in_words
 
+APART = 3.0  # standard errors, within which two tell the same
+BY_NOISE = "± by noise alone, whichever of them errs"
 BY_SENSORS = "encoder and gyro show it of each other, without any leg model."
 
 
@@ -66,11 +73,39 @@ def of_each_other(found: Diagnosis) -> str:
     clear = [each for each in found.sensors if each.clear]
     if not clear:
         return "encoder and gyro agree."
-    said = ", ".join(map(parameter, clear))
-    both = len(found.selected) > 1 and any(each.name in found.selected for each in clear)
-    alone = ", and of each by itself: what is missing is told together" if both else ""
-    noise = f"± by noise alone, whichever of them errs{alone}"
-    return f"encoder and gyro differ as if by {said} ({noise})."
+    told = {each.name: each for each in clear if among_others(each, found)}
+    above = [in_words(name) for name, each in told.items() if agrees(each, found)]
+    alone = [each for name, each in told.items() if in_words(name) not in above]
+    others = [each for each in clear if each.name not in told]
+    said = [f"by the {listed(above)} that is named above"] if above else []
+    said += [f"as if by {listed(list(map(parameter, others)))} ({BY_NOISE})"] if others else []
+    said += [as_if_alone(alone, found)] if alone else []
+    return f"encoder and gyro differ {', and '.join(said)}."
+
+
+def among_others(each: SensorError, found: Diagnosis) -> bool:
+    """Is it named with its size beside other causes?"""
+    return len(found.selected) > 1 and each.name in found.selected and fitted(each, found) != []
+
+
+def fitted(each: SensorError, found: Diagnosis) -> list[Parameter]:
+    """The same as it is named, told together with what else is missing."""
+    return [one for one in found.parameters if one.name.partition(".")[0] == each.name]
+
+
+def agrees(each: SensorError, found: Diagnosis) -> bool:
+    """Do encoder and gyro alone tell the same size?"""
+    (one,) = fitted(each, found)
+    return abs(one.value - each.value) < APART * hypot(each.standard_error, one.standard_error or 0)
+
+
+def as_if_alone(errors: list[SensorError], found: Diagnosis) -> str:
+    """What they would seem to be where nothing else errs, that a size is named once."""
+    rest = [one.title for one in found.findings if one.name not in {each.name for each in errors}]
+    return (
+        f"as if by {listed(list(map(parameter, errors)))} ({BY_NOISE}) were there no "
+        f"{' and no '.join(rest)}: beside that it is as large as named above"
+    )
 
 
 def of_plays(found: Diagnosis) -> str:
