@@ -10,6 +10,7 @@ from exoid.recordings.recording import Recording, Segment
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.both_sensors.gyro_drift import gyro_drift
 from exoid.recordings.signal.both_sensors.play import find_play
+from exoid.recordings.signal.both_sensors.shared_motion import moved_alike, swung_alike
 from exoid.recordings.signal.noise import (
     OF_ANGLE,
     OF_RATE,
@@ -38,16 +39,20 @@ def clean(recording: Recording) -> Cleaned:
     What the firmware's filter gave is left as it is: none can be seen in it.
     """
     angle, velocity = fitted_channels(recording)
-    signals = [getattr(each, angle) for each in recording.segments]
-    declared = declared_angle_noise(recording.sensors, signals)
-    recording, angle_noise = clean_channel(recording, angle, declared)
-    velocity_noise = None
-    if velocity is not None:
-        declared = recording.sensors.velocity_noise
-        recording, velocity_noise = clean_channel(recording, velocity, declared)
-        if not filtered(recording.segments[0]):
-            recording, velocity_noise = steady_gyro(recording, angle_noise, velocity_noise)
-            recording, angle_noise = without_play(recording, angle_noise)
+    given, signals = recording, [getattr(each, angle) for each in recording.segments]
+    declared = declared_angle_noise(recording.sensors, signals), recording.sensors.velocity_noise
+    recording, angle_noise = clean_channel(given, angle, declared[0])
+    if velocity is None:
+        return Cleaned(recording, angle_noise, None)
+    recording, velocity_noise = clean_channel(recording, velocity, declared[1])
+    if filtered(recording.segments[0]):
+        return Cleaned(recording, angle_noise, velocity_noise)
+    if velocity_noise.tone and swings_alike(given, velocity_noise.tone.frequency):
+        recording, angle_noise = clean_channel(given, angle, declared[0], hum=False)
+        recording, velocity_noise = clean_channel(recording, velocity, declared[1], hum=False)
+    angle_noise, velocity_noise = less_motion(recording, (angle_noise, velocity_noise))
+    recording, velocity_noise = steady_gyro(recording, angle_noise, velocity_noise)
+    recording, angle_noise = without_play(recording, angle_noise)
     return Cleaned(recording, angle_noise, velocity_noise)
 
 
@@ -67,8 +72,9 @@ def filtered(segment: Segment) -> bool:
 
 
 def clean_channel(
-    recording: Recording, name: str, declared: float | None
+    recording: Recording, name: str, declared: float | None, *, hum: bool = True
 ) -> tuple[Recording, Noise]:
+    """Without spikes, and without `hum`, unless that is what moves the leg."""
     times = [each.time for each in recording.segments]
     signals = [getattr(each, name) for each in recording.segments]
     if filtered(recording.segments[0]):
@@ -87,7 +93,7 @@ def clean_channel(
     swing = OF_ANGLE if name in ("raw_angle", "angle") else OF_RATE
     noise = noise_of(times, kept, declared, swing=swing)
     white = noise_of(times, kept, declared) if noise.alike_over else noise
-    tone = find_tone(times, kept, white.level)
+    tone = find_tone(times, kept, white.level) if hum else None
     if tone is not None:
         kept = [without_tone(*each, tone) for each in zip(times, kept, strict=True)]
         noise = noise_of(times, kept, declared, swing=swing)
@@ -104,6 +110,40 @@ def with_channel(recording: Recording, name: str, signals: list[Samples]) -> Rec
     )
     changed = any(map(operator.is_not, segments, recording.segments))
     return replace(recording, segments=segments) if changed else recording
+
+
+def swings_alike(recording: Recording, frequency: float) -> bool:
+    """Does a tone [Hz] move the leg, as encoder and gyro show together?"""
+    pairs = both_of(recording)
+    return bool(pairs) and swung_alike(*zip(*pairs, strict=True), frequency)
+
+
+def less_motion(recording: Recording, noises: tuple[Noise, Noise]) -> tuple[Noise, Noise]:
+    """The noises of angle and gyro, without what they share because the leg moves so."""
+    pairs = both_of(recording)
+    if not pairs or not any(each.alike_over for each in noises):
+        return noises
+    times, *signals = (list(each) for each in zip(*pairs, strict=True))
+    white = [
+        noise_of(times, signal, each.declared) for signal, each in zip(signals, noises, strict=True)
+    ]
+    sizes = white[0].measured or 0.0, white[1].measured or 0.0
+
+    def own(each: Noise, alone: Noise) -> Noise:
+        moved = each.alike_over and moved_alike(times, *signals, each.alike_over, sizes)
+        return replace(alone, spikes=each.spikes, tone=each.tone) if moved else each
+
+    return own(noises[0], white[0]), own(noises[1], white[1])
+
+
+def both_of(recording: Recording) -> list[tuple[Samples, Samples, Samples]]:
+    """Time, encoder and gyro of every segment; none where one has not both."""
+    pairs = [
+        (each.time, each.raw_angle, each.raw_angular_velocity)
+        for each in recording.segments
+        if each.raw_angle is not None and each.raw_angular_velocity is not None
+    ]
+    return pairs if len(pairs) == len(recording.segments) else []
 
 
 def steady_gyro(recording: Recording, angle: Noise, gyro: Noise) -> tuple[Recording, Noise]:
@@ -125,12 +165,8 @@ def steady_gyro(recording: Recording, angle: Noise, gyro: Noise) -> tuple[Record
 
 def without_play(recording: Recording, noise: Noise) -> tuple[Recording, Noise]:
     """The same with the angle of a leg that its encoder follows without play."""
-    pairs = [
-        (each.time, each.raw_angle, each.raw_angular_velocity)
-        for each in recording.segments
-        if each.raw_angle is not None and each.raw_angular_velocity is not None
-    ]
-    found = find_play(pairs, noise.level) if len(pairs) == len(recording.segments) else None
+    pairs = both_of(recording)
+    found = find_play(pairs, noise.level) if pairs else None
     if found is None:
         return recording, noise
     play, lags = found
