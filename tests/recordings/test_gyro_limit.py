@@ -91,7 +91,39 @@ def test_a_joint_that_spins_evenly_is_at_no_limit(step):
     assert without_saturated(recording) == (recording, ())
 
 
-def test_one_place_or_no_gyro_tells_nothing(swings):
+@pytest.mark.parametrize("share", [0.7, 0.8, 0.9])
+def test_one_place_where_it_stands_for_long_is_enough(swings, share):
+    """One high drop tops out in its first fall alone, for ten samples and more."""
+    limit = share * np.degrees(np.abs(swings[0][1]).max())
+    once = recorded(swings[:1], clipped(limit))
+    mended, (note,) = without_saturated(once)
+    cut = np.isclose(np.abs(rates(once)), limit * DEGREE, rtol=1e-9)
+    assert cut.sum() >= 10
+    assert np.isnan(rates(mended)).tolist() == cut.tolist()
+    assert "while the leg turns faster" in note
+
+
+def test_one_short_place_at_the_declared_range_is_enough(swings):
+    """By 25 samples a second it stands there for a few, which tell no end of a range by themselves,
+    nor beside a declared range that is another."""
+    limit = 0.85 * np.degrees(np.abs(swings[0][1]).max())
+    (segment,) = recorded(swings[:1], clipped(limit)).segments
+    slow = exoid.Segment(
+        segment.time[::4],
+        raw_angle=segment.raw_angle[::4],
+        raw_angular_velocity=segment.raw_angular_velocity[::4],
+    )
+
+    def left_out(gyro_range: float | None) -> int:
+        sensors = exoid.Sensors(gyro_range=gyro_range)
+        told = exoid.Recording((slow,), sensors=sensors)
+        return int(np.isnan(rates(without_saturated(told)[0])).sum())
+
+    assert left_out(None) == left_out(4.0 * limit) == 0
+    assert 3 <= left_out(limit) < 10
+
+
+def test_one_short_place_or_no_gyro_tells_nothing(swings):
     once = recorded(swings[:1], lambda rate: np.maximum(rate, -0.97 * np.abs(rate.min())))
     assert without_saturated(once) == (once, ())
     none = exoid.Recording((exoid.Segment(TIME, raw_angle=swings[0][0]),))

@@ -18,7 +18,12 @@ from exoid.recordings.signal.noise import noise_of
 from exoid.recordings.signal.scatter import ROUNDING
 
 FEWEST = 3  # samples in a row; fewer tell no curve
-PLACES = 2  # at which a gyro stands at one limit; a value that is held once may be the greatest
+PLACES = 2  # at which a gyro stands at one limit; a value that is held once may be the greatest,
+LONG = 10  # unless it is held for so many samples: no noise does that where the leg turns faster
+DECLARED = (
+    0.98,
+    1.2,
+)  # of the declared range, at which a gyro ends: some tell more than they promise
 SMOOTH = 12.0  # steps that a smooth peak falls by: 8, and rounding and noise of two steps each
 SURE = 4.0  # standard deviations of what the encoder turns
 GAIN = 0.03  # of a rate, by which gyro and encoder may be apart anyhow
@@ -42,29 +47,40 @@ def gyro_limits(recording: Recording) -> list[float]:
     steps = steps[steps > ROUNDING]
     if not steps.size:
         return []
-    return [
-        end
-        for end in sorted({float(each) for each in np.abs(values[[0, -1]])})
-        if sum(places(each, end, steps.min()) for each in recording.segments) >= PLACES
-    ]
+    ends = sorted({float(each) for each in np.abs(values[[0, -1]])})
+    return [end for end in ends if stands_at(recording, end, float(steps.min()))]
 
 
-def places(segment: Segment, end: float, step: float) -> int:
-    """At how many places the gyro, of this step, stands at an end [rad/s] of its range."""
+def stands_at(recording: Recording, end: float, step: float) -> bool:
+    """Does the gyro, of this step, stand at an end [rad/s] of its range: at more than one place, at
+    one for long, or at one where the range is declared to end?
+    """
+    each = [samples for one in recording.segments for samples in places(one, end, step)]
+    known = recording.sensors.gyro_range
+    ratio = 0.0 if known is None else float(np.degrees(end)) / known
+    at_range = DECLARED[0] <= ratio <= DECLARED[1]
+    return len(each) >= PLACES or max(each, default=0) >= (FEWEST if at_range else LONG)
+
+
+def places(segment: Segment, end: float, step: float) -> list[int]:
+    """For how many samples the gyro, of this step, stands at an end [rad/s] of its range, at every
+    place where it does.
+    """
     rates = rates_of(segment)
     known = ~np.isnan(rates)
     rates = rates[known]
     found = [each for way in (end, -end) for each in runs(rates == way)]
     long = [(first, last) for first, last in found if last - first + 1 >= FEWEST]
     if not long or np.isnan(segment.best_angle).all():
-        return 0
+        return []
     time, angle = segment.time[known], interpolated(segment.time, segment.best_angle)[known]
     error = SURE * 2**0.5 * noise_of([time], [angle], None).level
-    return sum(
-        cut_off(rates, first, last, step)
-        and turns_faster(time[[first, last]], angle[[first, last]], float(rates[first]), error)
+    return [
+        last - first + 1
         for first, last in long
-    )
+        if cut_off(rates, first, last, step)
+        and turns_faster(time[[first, last]], angle[[first, last]], float(rates[first]), error)
+    ]
 
 
 def cut_off(rates: Samples, first: int, last: int, step: float) -> bool:
