@@ -20,6 +20,7 @@ from exoid.mismatch.conclude.sensor_faults import with_faults_told
 from exoid.mismatch.conclude.unusual_zero import as_a_term, unusual
 from exoid.mismatch.conclude.verdict.cannot_tell import too_little
 from exoid.mismatch.conclude.verdict.conclusion import concluded
+from exoid.mismatch.conclude.verdict.moved_by_tone import moved_by_tone
 from exoid.mismatch.evidence.locate import locate
 from exoid.mismatch.evidence.measure import misfits, yardstick
 from exoid.mismatch.evidence.proof import predict
@@ -90,7 +91,7 @@ def asked(
 ) -> Diagnosis:
     """What is missing in a fit."""
     prepared, base = prepare(result, named, terms)
-    if too_little(prepared):
+    if too_little(prepared) or moved_by_tone(result):
         return unsought(result, prepared, base, seed)
     found = challenged(look(prepared, base, told))
     told("proving it on held-out data")
@@ -123,7 +124,7 @@ def asked(
 
 
 def unsought(result: FitResult, prepared: PreparedRecording, base: Optimum, seed: int) -> Diagnosis:
-    """The answer to a recording that could show nothing but the baseline."""
+    """The answer to a recording that could show nothing but the baseline, or a tone."""
     if prepared.common:
         base = settle_free(prepared, base.candidate.without(prepared.common))
     found = Found(prepared, base, base.candidate, [], [], [], [], yardstick(prepared, base))

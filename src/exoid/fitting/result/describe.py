@@ -47,6 +47,7 @@ from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mount
 from exoid.fitting.result.remarks.added_mass_remarks import misplaced, of_misplaced
 from exoid.fitting.result.remarks.anatomy_remarks import of_anatomy
 from exoid.fitting.result.remarks.leaning import LEANING, Leaning
+from exoid.fitting.result.remarks.noise_remarks import of_leg_tone, tone_of
 from exoid.fitting.result.remarks.remarks import limits_met, of_astray, remarks
 from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.fitting.result.remarks.slack_angle import left_open, slack_angle_remarks
@@ -67,6 +68,7 @@ UNFINISHED = "it was still moving when its steps ran out"
 # Of half a chi-square for a typical step of what is limited: where nothing tells a value, a search
 # may end on a limit that does not hold it back.
 PRESSING = 1e-3
+WIDENED = "Errors are widened for it: record the leg without it, if that can be."
 UNSETTLED = "the search was still moving when its steps ran out"
 
 
@@ -148,12 +150,15 @@ def notes(result: FitResult, basis: Basis, at_bound: set[str], slack: Leaning | 
     """
     problem, ended = basis.problem, basis.ended
     known = [*limiting(result), *granted(problem)]
+    tone = tone_of(result.segments)
+    swung = [] if tone is None else [f"{of_leg_tone(tone, result)}. {WIDENED}"]
     return [
         *of_astray(result.astray, problem),
         *(of_misplaced(problem, ended) if result.follows else []),
         *of_anatomy(problem.belief, float(ended.point.shared.gravity), slack),
         *of_the_rest(result.segments, ended.disturbance),
-        *remarks(problem, ended, at_bound, follows=result.follows),
+        *swung,
+        *remarks(problem, ended, at_bound, follows=result.follows, swung=bool(swung)),
         *of_scale(result.parameters, result.segments),
         *of_far_zeros(problem, ended),
         *slack_angle_remarks(slack),

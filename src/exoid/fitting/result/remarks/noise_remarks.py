@@ -1,9 +1,12 @@
 """What the user should know of the noise of what was recorded, in sentences."""
 
-from math import degrees
+from collections.abc import Sequence
+from math import degrees, hypot, pi
 
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.model.systematics import by_recording
+from exoid.fitting.result.fit_result import FitResult, SegmentFit
+from exoid.recordings.signal.both_sensors.leg_tone import LegTone, leg_tone
 from exoid.recordings.signal.both_sensors.play import Play
 from exoid.recordings.signal.noise import Noise
 
@@ -36,6 +39,42 @@ def times_off(movement: Movement) -> str:
     channels = {"angle": movement.angle_jitter, "gyro": movement.gyro_jitter}
     each = [(name, one.jitter) for name, one in channels.items() if one is not None]
     return " and ".join(f"{1e3 * jitter:.2g} ms by the {name}" for name, jitter in each)
+
+
+def tone_of(segments: Sequence[SegmentFit]) -> LegTone | None:
+    """The tone that moves a leg that was let go, beside what the simulation does; None without a
+    gyro.
+    """
+    return leg_tone(
+        [
+            (
+                one.time,
+                one.angle - one.simulated_angle,
+                one.angular_velocity - one.simulated_velocity,
+            )
+            for one in segments
+            if one.kind == "passive" and one.angular_velocity is not None
+        ]
+    )
+
+
+def of_leg_tone(tone: LegTone, result: FitResult) -> str:
+    """How fast and how far it moves the leg, and the torque that does."""
+    turns = 2 * pi * tone.frequency
+    spring, drag = (
+        sum(result.ratios[name].value or 0.0 for name in names)
+        for names in (("gravity_over_inertia", "stiffness_over_inertia"), ("damping_over_inertia",))
+    )
+    torque = tone.amplitude * hypot(spring - turns**2, turns * drag)
+    inertia = result.parameters["inertia"].value
+    for_leg = "" if inertia is None else f" ({torque * inertia:.2g} N m for J = {inertia:.2g})"
+    return (
+        f"a tone of {tone.frequency:.2g} Hz moves the leg, by {degrees(tone.amplitude):.2g} ± "
+        f"{degrees(tone.standard_error):.1g} deg and {degrees(tone.rate):.2g} deg/s either way, as "
+        f"encoder and gyro show alike: a torque of about {torque:.2g} 1/s^2 times J{for_leg} would "
+        "do that. A tremor, clonus, a motor, or a frame that shakes looks like this; the model has "
+        "none of them"
+    )
 
 
 def of_play(play: Play) -> str:

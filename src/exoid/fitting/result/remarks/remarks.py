@@ -47,9 +47,16 @@ INCOMPLETE = "no error bar of a model that misses something is complete"
 
 
 def remarks(
-    problem: Problem, ended: SearchResult, at_bound: set[str], *, follows: bool = True
+    problem: Problem,
+    ended: SearchResult,
+    at_bound: set[str],
+    *,
+    follows: bool = True,
+    swung: bool = False,
 ) -> list[str]:
-    """How segments were taken, what the residual holds, and which limits decided."""
+    """How segments were taken, what the residual holds, and which limits decided. Of a leg that a
+    tone has `swung` the residual is no noise.
+    """
     said = []
     guessed = [each for each in problem.movements if not each.kind_said]
     rig = problem.belief.rig
@@ -73,7 +80,8 @@ def remarks(
     sensors = ended.disturbance.cause == "encoder"
     asked = follows and sensors and not models_lateness(problem)  # else it is said first
     late = of_late_gyro(problem.movements) if asked else []
-    if not late and not (within and sensors):  # smoothed errors, which are told
+    quiet = swung and ended.disturbance.cause is None
+    if not late and not quiet and not (within and sensors):  # smoothed errors, which are told
         said += of_residual(ended.disturbance, gravity, inertia, float(unit))
     said += late
     if rig and "stiffness" not in problem.absent:

@@ -22,6 +22,7 @@ from exoid.mismatch.conclude.verdict.cannot_tell import (
     unsure,
     vague,
 )
+from exoid.mismatch.conclude.verdict.moved_by_tone import WITHOUT_TONE, moved_by_tone
 from exoid.mismatch.conclude.verdict.nothing_missing import of_what_hides, of_zeros
 from exoid.mismatch.conclude.verdict.own_torques import RELAXED, of_own_torques, own_torques
 from exoid.mismatch.conclude.verdict.undecided import share, undecided
@@ -62,6 +63,8 @@ class Judgement:
 def judge(case: Case, shown: Proof, repeated: float | None, lucky: Chance) -> Judgement:
     """The verdict by proof, by how often resampled segments repeat it, and by luck."""
     result, found = case.result, case.found
+    if moved := moved_by_tone(result):
+        return Judgement("cannot_tell", moved, [], [WITHOUT_TONE], but_ends=False)
     verdict, reasons = by_proof(found, case.best, shown, repeated, lucky)
     unseen = hidden(found, result) if verdict == "none" else []
     if unseen:

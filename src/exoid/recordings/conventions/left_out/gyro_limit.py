@@ -20,10 +20,7 @@ from exoid.recordings.signal.scatter import ROUNDING
 FEWEST = 3  # samples in a row; fewer tell no curve
 PLACES = 2  # at which a gyro stands at one limit; a value that is held once may be the greatest,
 LONG = 10  # unless it is held for so many samples: no noise does that where the leg turns faster
-DECLARED = (
-    0.98,
-    1.2,
-)  # of the declared range, at which a gyro ends: some tell more than they promise
+DECLARED = 0.98, 1.2  # of the declared range, at which a gyro ends: some tell more than is said
 SMOOTH = 12.0  # steps that a smooth peak falls by: 8, and rounding and noise of two steps each
 SURE = 4.0  # standard deviations of what the encoder turns
 GAIN = 0.03  # of a rate, by which gyro and encoder may be apart anyhow

@@ -9,6 +9,7 @@ show the errors of one sensor.
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from exoid.recordings.samples import Samples, usual_step
 from exoid.recordings.signal.local_line import local_line
@@ -73,7 +74,13 @@ def swung_alike(times: Signals, angles: Signals, rates: Signals, frequency: floa
             own.append(piecewise(time[known], rate[known], frequency))
     if not own:
         return False
-    rate, slope = np.concatenate(own), np.concatenate(other)
+    return shared(np.concatenate(own), np.concatenate(other))
+
+
+def shared(rate: NDArray[np.float64], slope: NDArray[np.float64]) -> bool:
+    """Is what the rate shows, cosines and sines of several pieces, what the slope of the angle
+    does?
+    """
     square = float(np.sum(rate**2))
     share = float(np.sum(rate * slope)) / square
     error = float(np.sqrt(np.mean((slope - share * rate) ** 2) / square))
