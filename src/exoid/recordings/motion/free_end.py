@@ -19,6 +19,7 @@ from exoid.recordings.motion.signal import Signal, Speed
 from exoid.recordings.motion.swings import Swings, cut_short, outside
 from exoid.recordings.motion.thresholds import BRIEF, KEPT, LATE, PUSH
 from exoid.recordings.remembered import remembered
+from exoid.recordings.samples import Samples, quantile
 from exoid.recordings.signal.condition import runs
 
 
@@ -58,11 +59,21 @@ def hand_in(seen: Swings, moves: Derivatives) -> End | None:
     if cut_short(seen.angle):
         return caught(moves, seen.sure, seen.at[-1])
     if rest[1] < time.size:
-        left = int(time.searchsorted(time[rest[1] - 1] - LATE))
+        left = int(time.searchsorted(time[left_rest(moves.angle, *rest)] - LATE))
         kept = int(time.searchsorted(time[rest[0]] + KEPT, side="right"))
         stop = max(min(left, kept), rest[0])
-        return End(stop, "at rest", "the leg came to rest, then was moved", left)
+        return End(stop, "at rest", "the leg came to rest, then was moved", max(left, rest[0]))
     return None
+
+
+def left_rest(angle: Samples, first: int, stop: int) -> int:
+    """The last sample of a rest at which the leg was where it rested: a hand lifts it softly, long
+    before it has gone farther than a leg at rest does.
+    """
+    rested = quantile(angle[first:stop])
+    away = angle[first:stop] - rested
+    back = np.flatnonzero(away * (angle[stop] - rested) <= 0)
+    return first + int(back[-1]) if back.size else first
 
 
 @remembered

@@ -11,6 +11,7 @@ from exoid.recordings.recording import Kind, Segment, Sensors
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import RINGING, classify, cut, reversals, swings_out
 from exoid.recordings.splitting.piece import Piece, rings
+from exoid.recordings.splitting.small_lifts import with_small_lifts
 
 
 def find_pieces(log: Segment, sensors: Sensors, told: Kind | tuple | None) -> list[Piece]:
@@ -33,7 +34,7 @@ def find_pieces(log: Segment, sensors: Sensors, told: Kind | tuple | None) -> li
     for whole in pieces_in(slice(0, log.time.size), speed):
         parts = [] if swing_out(log, smooth, [whole]) else pieces_in(whole.samples, patient)
         pieces += parts if swing_out(log, smooth, parts) else [whole]
-    return pieces
+    return with_small_lifts(log.time, smooth, pieces)
 
 
 def far_ones(
