@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.recordings.landmarks.dry_friction import with_friction
 from exoid.recordings.landmarks.local_polynomial import local
 from exoid.recordings.landmarks.peak import peaks
 from exoid.recordings.landmarks.release import Release
@@ -33,7 +34,8 @@ def turns(track: Track, begin: float) -> list[Peak]:
     where the leg did not fall at first.
     """
     first = int(np.searchsorted(track.time, begin))
-    return peaks(track, [first + at for at in turned(track, first)], begin)
+    near = [first + at for at in turned(track, first)]
+    return with_friction(track, near, peaks(track, near, begin), begin)
 
 
 def turned(track: Track, first: int = 0) -> list[int]:
