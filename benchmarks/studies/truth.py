@@ -2,6 +2,12 @@
 
 python -m benchmarks.studies.truth --replications 50            # 200 people: about five minutes
 python -m benchmarks.studies.truth --people 24 --absent 0.2     # a small study, and visits missed
+python -m benchmarks.studies.truth --fitted --replications 50 --people 40 --to build/fitted
+python -m benchmarks.studies.truth --fitted --with coulomb_friction --to build/with-friction
+
+With --fitted recordings are simulated (`fitted/`) and fitted by the batches of `exoid study run`,
+and the tables are those that it leaves. Each study is kept in the folder --to when it is done: a
+run that was killed goes on.
 
 Of each study are counted: whether the 95 % interval of the groups' difference, of the correlation
 of test and retest and of the minimal detectable change hold the truth; how often a difference is
@@ -9,9 +15,14 @@ found that is there, and one that is not; whether dry friction is found in the g
 """
 
 import argparse
+import os
 from collections.abc import Sequence
+from pathlib import Path
+
+os.environ.update(dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "NPROC"), "1"))
 
 import numpy as np
+from benchmarks.studies.fitted.by_fits import by_fits
 from benchmarks.studies.tables import Design, Truth, simulate
 
 from exoid.studies.statistics.ask import ask
@@ -21,6 +32,7 @@ from exoid.studies.statistics.tables.said import Interval
 
 DIFFERENT = Truth()
 THE_SAME = Truth(quantity="period", unit="s", mean=1.1, effect=0.0)
+KEPT = Path("build/fitted")
 Row = tuple[str, float, float, str]
 
 
@@ -34,7 +46,15 @@ def main() -> None:
     parser.add_argument("--people", type=int, default=200)
     parser.add_argument("--absent", type=float, default=0.0, help="share of second days missed")
     parser.add_argument("--seed", type=int, default=0, help="of the first study")
+    parser.add_argument("--fitted", action="store_true", help="recordings are fitted")
+    parser.add_argument("--to", type=Path, default=KEPT, help="where fitted studies are kept")
+    parser.add_argument("--with", dest="terms", default="", help="TERM,... of the fitted model")
+    parser.add_argument("--multistart", type=int, default=64, help="starts of a fit")
+    parser.add_argument("--unlike", type=float, default=0.0, help="relative scatter of drops")
     options = parser.parse_args()
+    if options.fitted:
+        by_fits(options)
+        return
     design = Design(
         people=options.people, absent=options.absent, truths=(DIFFERENT, THE_SAME), friction=0.3
     )

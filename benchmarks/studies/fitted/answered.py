@@ -1,0 +1,135 @@
+"""What a fitted study answers, and what became of its recordings, beside what is true."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from benchmarks.studies.tables import Truth
+
+from exoid.studies.statistics.ask import ask
+from exoid.studies.statistics.asked import Answer, Asked
+from exoid.studies.statistics.tables.said import Interval
+from exoid.studies.statistics.tables.study import Study
+
+from .world import Visit, World
+from .write import name_of
+
+MISSED = "the model misses something"  # of a fit, in its own words
+COVERED = 1.96  # standard errors
+
+
+@dataclass(frozen=True)
+class Told:
+    """Of one quantity: its intervals by question as (value, low, high), the corrected p of the
+    difference, and the mean square of errors that two days of a leg do not share.
+    """
+
+    quantity: str
+    intervals: dict[str, tuple[float, float, float]]
+    p: float
+    passing: float
+
+
+@dataclass(frozen=True)
+class Fitted:
+    """Of the recordings of one kind and one quantity: how many have a value, how many of these are
+    within 1.96 of their errors, the sum of what they are off by, and of its squares.
+    """
+
+    quantity: str
+    valued: int
+    held: int
+    off: float
+    square: float
+
+
+@dataclass(frozen=True)
+class Kind:
+    """Recordings with one fault: how many failed, and of how many the fit says that it misses
+    something.
+    """
+
+    name: str
+    recordings: int
+    failed: int
+    missed: int
+    fitted: tuple[Fitted, ...]
+
+
+@dataclass(frozen=True)
+class Answered:
+    """One study."""
+
+    seed: int
+    told: tuple[Told, ...]
+    kinds: tuple[Kind, ...]
+
+
+def told_of(study: Study, world: World, visits: Sequence[Visit]) -> tuple[Told, ...]:
+    """What a report would say."""
+    truths = world.design.truths
+    names = tuple(each.quantity for each in truths)
+    answers = ask(study, Asked(quantities=names, by="group")).each
+    pairs = zip(sorted(answers, key=lambda one: names.index(one.quantity)), truths, strict=True)
+    return tuple(of_answer(study, visits, *each) for each in pairs)
+
+
+def of_answer(study: Study, visits: Sequence[Visit], answer: Answer, truth: Truth) -> Told:
+    found = answer.reliability
+    intervals = {
+        "difference of the groups": answer.groups.differences[0].effect,
+        "ICC(C,1)": found.consistency,
+        "ICC(A,1)": found.agreement,
+        "minimal detectable change": found.change,
+    }
+    plain = {name: ends(each) for name, each in intervals.items()}
+    passing = passing_square(study, visits, truth.quantity)
+    return Told(truth.quantity, plain, answer.corrected["groups"], passing)
+
+
+def ends(each: Interval) -> tuple[float, float, float]:
+    return each.value, each.low, each.high
+
+
+def passing_square(study: Study, visits: Sequence[Visit], quantity: str) -> float:
+    """Half the mean square by which errors of two days of a leg differ."""
+    values = values_by_name(study, quantity)
+    off: dict[tuple[str, int], list[float]] = {}
+    for visit in visits:
+        away = values[name_of(visit)][0] - visit.truth(quantity)
+        off.setdefault((visit.person.id, visit.side), []).append(away)
+    return float(np.nanmean([np.var(each, ddof=1) for each in off.values()]))
+
+
+def values_by_name(study: Study, quantity: str) -> dict[str, tuple[float, float]]:
+    """Value and standard error of every recording, NaN where there is none."""
+    rows = study.quantities
+    rows = rows[(rows["quantity"] == quantity) & (rows["step"] == "fit") & (rows["segment"] == -1)]
+    columns = (rows[each].to_numpy(float) for each in ("value", "standard_error"))
+    told = dict(zip(rows["name"], zip(*columns, strict=True), strict=True))
+    return {name: told.get(name, (np.nan, np.nan)) for name in study.recordings["name"]}
+
+
+def kinds_of(study: Study, world: World, visits: Sequence[Visit]) -> tuple[Kind, ...]:
+    """By what is wrong with recordings."""
+    return tuple(kinds(study, [each.quantity for each in world.design.truths], visits))
+
+
+def kinds(study: Study, quantities: Sequence[str], visits: Sequence[Visit]) -> Iterator[Kind]:
+    table, rows = study.recordings, study.quantities
+    failed = {*table.loc[table["status"] == "failed", "name"]}
+    missed = {*rows.loc[rows["note"].str.contains(MISSED), "name"]}
+    for name in sorted({each.kind for each in visits}):
+        those = [each for each in visits if each.kind == name]
+        names = {name_of(each) for each in those}
+        fitted = tuple(fitted_of(study, each, those) for each in quantities)
+        yield Kind(name, len(those), len(names & failed), len(names & missed), fitted)
+
+
+def fitted_of(study: Study, quantity: str, visits: Sequence[Visit]) -> Fitted:
+    values = values_by_name(study, quantity)
+    each = np.array([[*values[name_of(one)], one.truth(quantity)] for one in visits])
+    value, error, truth = each[np.isfinite(each).all(axis=1)].T
+    off = value - truth
+    held = int(np.sum(np.abs(off) < COVERED * error))
+    return Fitted(quantity, off.size, held, float(off.sum()), float(np.sum(off**2)))

@@ -1,0 +1,71 @@
+"""How often the intervals of fitted studies hold the truth, as lines of a table."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from benchmarks.studies.tables import Truth
+
+from exoid.studies.statistics.reliability import DETECTABLE
+
+from .answered import Answered, Told
+from .world import World
+
+SURE = 0.05  # corrected p of a difference that is found
+WIDE = 48  # characters of a name
+
+
+def summary(world: World, studies: Sequence[Answered]) -> list[str]:
+    """Question by question, then kind by kind of recordings."""
+    head = f"{len(studies)} studies of {world.design.people} people"
+    lines = [f"{head:{WIDE}}   held   truth  found on average"]
+    for at, truth in enumerate(world.design.truths):
+        lines += of_quantity([each.told[at] for each in studies], truth, world)
+    return [*lines, "", *of_kinds(studies)]
+
+
+def of_quantity(told: Sequence[Told], truth: Truth, world: World) -> Iterator[str]:
+    for question, true in truths(truth, world, float(np.mean([each.passing for each in told]))):
+        each = np.array([one.intervals[question] for one in told])
+        held = int(np.sum((each[:, 1] <= true) & (true <= each[:, 2])))
+        value, wide = each[:, 0].mean(), each[:, 0].std() / len(each) ** 0.5
+        name = f"{question} of {truth.quantity}"
+        yield f"{name:{WIDE}} {held:3} of {len(each):3} {true:7.4f}  {value:.4f} ± {wide:.4f}"
+    found = sum(one.p < SURE for one in told)
+    there = "that is there" if truth.effect else "that is not there"
+    yield f"{f'a difference {there} is found':{WIDE}} {found:3} of {len(told):3}"
+
+
+def truths(truth: Truth, world: World, passing: float) -> Iterator[tuple[str, float]]:
+    """What a recording of infinite length would tell, but for errors of fits that one day does not
+    share with the next: test and retest have these, too.
+    """
+    design = world.design
+    day = truth.error_of_occasion(design.drops) ** 2
+    day += (world.unlike * truth.mean) ** 2 / design.drops + passing
+    lasting = truth.between**2 + truth.side**2 + truth.effect**2 / 4
+    yield "difference of the groups", truth.effect
+    yield "ICC(C,1)", lasting / (lasting + day)
+    yield "ICC(A,1)", lasting / (lasting + day)  # no day shifts all people
+    yield "minimal detectable change", DETECTABLE * day**0.5
+
+
+def of_kinds(studies: Sequence[Answered]) -> Iterator[str]:
+    """What became of recordings."""
+    yield f"{'recordings':{WIDE}}  of them  failed  'misses something'"
+    every = [each for study in studies for each in study.kinds]
+    for name in sorted({each.name for each in every}):
+        those = [each for each in every if each.name == name]
+        counts = [sum(getattr(each, of) for each in those) for of in COUNTED]
+        yield f"{name or 'sound':{WIDE}} {counts[0]:8} {counts[1]:7} {counts[2]:7}"
+        for fitted in zip(*(each.fitted for each in those), strict=True):
+            valued, held = (sum(getattr(one, of) for one in fitted) for of in ("valued", "held"))
+            if valued:
+                off = sum(one.off for one in fitted) / valued
+                rms = (sum(one.square for one in fitted) / valued) ** 0.5
+                yield (
+                    f"    {fitted[0].quantity}: {held} of {valued} in their intervals, off by "
+                    f"{off:+.4f} on average, root mean square {rms:.4f}"
+                )
+
+
+COUNTED = ("recordings", "failed", "missed")
