@@ -105,3 +105,26 @@ def test_stated_errors_alone_are_no_narrow_interval():
     scattered = reliability(of(Design(people=13, groups=1, truths=(TRUTH,))))
     assert scattered.notes == ()
     assert scattered.change.low < scattered.change.value < scattered.change.high
+
+
+def test_days_that_tell_nothing_do_not_make_the_detectable_change_of_the_others():
+    truth = Truth(bad=0.0, drop=0.0)
+    values = of(Design(people=40, drops=1, groups=1, truths=(truth,)))
+    frame = values.frame
+    lost = np.arange(len(frame)) % 20 == 0
+    blurred = frame.assign(error=np.where(lost, 10.0, frame["error"]))
+    found = reliability(Values(values.quantity, values.unit, blurred))
+    exact = reliability(Values(values.quantity, values.unit, frame[~lost]))
+    # Of 8 of 160 days the errors are 50 times what people differ by: they weigh nothing.
+    assert found.sem.value == pytest.approx(exact.sem.value, rel=0.02)
+    assert found.consistency.value == pytest.approx(exact.consistency.value, abs=0.01)
+    assert found.notes[0].startswith("8 of 160 days of a leg have stated errors larger")
+    assert exact.notes == ()
+
+
+def test_where_all_days_tell_as_little_none_is_left_out():
+    truth = Truth(bad=0.0, error=2.0, spread=0.1, drop=0.0)
+    found = reliability(of(Design(people=40, drops=1, groups=1, truths=(truth,))))
+    # 160 errors of 10 % more or less: their root mean square is 2.02.
+    assert found.sem.value == pytest.approx(2.02, rel=0.02)
+    assert not any("larger" in each for each in found.notes)
