@@ -1,6 +1,7 @@
 """`exoid study run` as one calls it."""
 
 import json
+import pickle
 import subprocess
 import sys
 
@@ -61,6 +62,7 @@ def test_where_not_one_recording_can_be_measured_the_exit_code_says_so(command, 
     [
         (("--steps", "drop"), "'drop' is no step; they are drops, fit, diagnose."),
         (("--steps", "fit,fit"), "name each step once"),
+        (("--with", "coulomb"), "no such term; did you mean coulomb_friction?"),
         (("--workers", "2", "--scheduler", "tcp://there:1"), "leave one out"),
         (("-o", "participants.csv"), "this is a file. Name a folder for the tables."),
         (("-o", "a/b"), "does not exist. Make it first."),
@@ -68,6 +70,27 @@ def test_where_not_one_recording_can_be_measured_the_exit_code_says_so(command, 
 )
 def test_what_cannot_be_run_is_refused_in_one_line(command, folder, options, said):
     assert said in refusal(command("study", "run", ".", "-o", "results", *options, cwd=folder))
+
+
+def test_terms_of_the_model_are_those_of_every_fit_and_told_apart(
+    command, here, folder, tmp_path, monkeypatch
+):
+    asked = []
+
+    def run(found, results, settings, **how):
+        asked.append(settings)
+        raise ValueError("enough was seen")
+
+    monkeypatch.setattr("exoid.studies.engine.run_study.run_study", run)
+    for terms in ((), ("--with", "coulomb_friction"), ("--with", "coulomb_friction=0.1")):
+        command("study", "run", folder, "-o", tmp_path / "results", *terms)
+    plain, free, valued = asked
+    assert "terms" not in plain.fit
+    assert [term.__name__ for term in free.fit["terms"]] == ["CoulombFriction"]
+    assert free.diagnose == plain.diagnose
+    assert len({each.digest("fit") for each in asked}) == 3
+    assert len({each.digest("drops") for each in asked}) == 1
+    assert pickle.loads(pickle.dumps(valued)).digest("fit") == valued.digest("fit")
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ from exoid.cli.commands.study.init import Folder
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.choices import Clip, Misfit, Seed
 from exoid.cli.inputs.data_set import opened
+from exoid.cli.inputs.terms import With, terms_asked
 from exoid.cli.outputs.destination import Force, Json, check_outputs
 from exoid.cli.outputs.results import show
 from exoid.cli.outputs.study_run import check_results, print_outcome
@@ -44,6 +45,7 @@ def run(
     smooth: Annotated[int, typer.Option(min=1, help="Samples of the moving average, Eq. 3.")] = 1,
     misfit: Annotated[Misfit, typer.Option(help="paper: Eq. 11 as printed.")] = "weighted",
     clip: Annotated[Clip, typer.Option(help="As of exoid fit.")] = "free",
+    with_term: With = None,
     json: Json = None,
     force: Force = False,
 ) -> None:
@@ -58,6 +60,7 @@ def run(
     Examples:
       exoid study run study -o results
       exoid study run study -o results --steps drops,fit,diagnose --workers 8
+      exoid study run study -o results --with coulomb_friction    where knees rub
       exoid study run archive -o results --scheduler tcp://10.0.0.7:8786
     """
     check_outputs((json, ()), force=force)
@@ -70,6 +73,8 @@ def run(
     asked = {"seed": seed, **assumed(prior, bounds, fix, bound)}
     more = {"multistart": multistart, "weight": weight, "smooth": smooth}
     fitted = {**asked, **more, "misfit": misfit, "clip": clip}
+    if with_term:
+        fitted["terms"] = terms_asked(with_term, ())
     named = tuple(each.strip() for each in steps.split(","))
     settings = Settings(named, fitted, asked)
     found = opened(dataset)
