@@ -1,9 +1,12 @@
 """Of whom a study has values, and of whom not: every value counts, and who is missing is said."""
 
 import numpy as np
+import pandas as pd
 import pytest
 from benchmarks.studies.tables import Design, Truth, simulate
 
+from exoid.fitting.misfit.missed import Missed
+from exoid.fitting.result.remarks.remarks import of_missed
 from exoid.studies.page.parts.presence import lacking
 from exoid.studies.page.parts.words import finding
 from exoid.studies.page.sections.summary import amount
@@ -33,6 +36,10 @@ def some_failed(study):
 def spastic_of(study):
     rows = study.recordings
     return {*rows.loc[rows["participant_group"] == "spastic", "participant"]}
+
+
+def people_of(study):
+    return {*study.recordings["participant"]}
 
 
 def test_drops_count_where_only_the_fit_of_their_recording_failed(study):
@@ -87,3 +94,28 @@ def test_nothing_is_said_to_be_missing_where_all_is_there(study):
     assert "It rests on 20 of 20 people." in said
     assert "missing" not in said
     assert "bias" not in said
+
+
+def fitted(study, missing):
+    """As if indices were fitted, and the fits of these people said that they miss something."""
+    rows = study.quantities.assign(step="fit", segment=-1)
+    rows = rows.drop_duplicates(["recording", "quantity"])
+    of = rows[rows["participant"].isin(missing)].drop_duplicates("recording")
+    missed = Missed("torque", 0.1, 1e3, 1.0, 0.0)
+    (said,) = of_missed(missed, "the residual", 27.0, None, 1.0)
+    notes = of.assign(quantity="note", value=np.nan, note=said, determined_by="")
+    return study_of(study.recordings, pd.concat([rows, notes], ignore_index=True))
+
+
+def test_fits_that_miss_something_in_one_group_are_told_with_the_difference(study):
+    rubbing = sorted(spastic_of(study))[:4]
+    told = "8 of 40 values are of fits whose model misses something: control 0 of 20, spastic 8 of"
+    answers = ask(fitted(study, rubbing), Asked(by="group"))
+    assert told in finding(answers)
+    assert "--with has it in the model of all" in finding(answers)
+    assert any(told in each for each in lacking(answers.each[0]))
+    # One of twenty in either group is as it may be.
+    both = [sorted(each)[0] for each in (spastic_of(study), people_of(study) - spastic_of(study))]
+    assert "misses something" not in finding(ask(fitted(study, both), Asked(by="group")))
+    assert "misses something" not in finding(ask(fitted(study, rubbing), Asked()))
+    assert "misses something" not in finding(ask(study, Asked(by="group")))

@@ -10,6 +10,7 @@ from exoid.studies.statistics.tables.study import Study
 from exoid.studies.statistics.tables.values import WHOLE, Values, asked_rows
 
 UNEVEN = 0.05  # by which shares that are missing differ before it is said: one of twenty
+INCOMPLETE = "misses something"  # of its model, as the note of a fit says
 NUMBER = re.compile(r"\d+(?:[.,:]\d+)*(?:e[+-]?\d+)?")
 
 
@@ -40,13 +41,15 @@ class Tally:
 
 @dataclass(frozen=True)
 class Presence:
-    """`missing` are the people without a value, `reason` is of values that are missing an example
-    of the most frequent one.
+    """`complete` are the values of fits, without those whose model misses something. `missing` are
+    the people without a value, `reason` is of values that are missing an example of the most
+    frequent one.
     """
 
     people: Tally
     recordings: Tally
     values: Tally
+    complete: Tally
     missing: tuple[str, ...]
     reason: str
 
@@ -69,9 +72,18 @@ def presence(
         tally(people, there, ("group",)),
         tally(table, table["recording"].isin(values.frame["recording"]), ("group", "side")),
         tally(rows, rows["value"].notna(), ("group", "side")),
+        complete(study, rows),
         tuple(sorted(people.loc[~there, "participant"])),
         reason_of(rows[rows["value"].isna()]),
     )
+
+
+def complete(study: Study, rows: Frame) -> Tally:
+    """How many values of fits are of a model that misses nothing which the recording tells."""
+    fitted = rows[(rows["step"] == "fit") & rows["value"].notna()]
+    notes = study.quantities[study.quantities["quantity"] == "note"]
+    missed = notes.loc[notes["note"].str.contains(INCOMPLETE, regex=False), "recording"]
+    return tally(fitted, ~fitted["recording"].isin(missed), ("group",))
 
 
 def groups_of(table: Frame, by: str) -> Column | str:

@@ -8,6 +8,10 @@ from exoid.studies.statistics.groups import MOST_GROUPS, Comparison
 from exoid.studies.statistics.presence import Count, Presence, Tally
 
 RECORDINGS, VALUES = "recordings without a value", "values are missing"
+INCOMPLETE = "values are of fits whose model misses something"
+REMEDY = (
+    "--steps diagnose of 'exoid study run' asks what they miss, --with has it in the model of all"
+)
 NAMED = 5  # people who are missing; the others are counted
 
 
@@ -18,7 +22,8 @@ def rests(answer: Answer) -> str:
     counts = [
         f"{part_of(tally, what, parts)}." for what, tally in each.items() if uneven([tally], parts)
     ]
-    return " ".join([people(found, grouped(answer)), *counts, *biased(answer)])
+    said = [people(found, grouped(answer)), *counts, *biased(answer)]
+    return " ".join([*said, *(incomplete(answer) if grouped(answer) else ())])
 
 
 def whose(answer: Answer) -> str:
@@ -40,6 +45,7 @@ def lacking(answer: Answer) -> Iterator[str]:
         why = f"; mostly as here: {found.reason.rstrip('.')}" if found.reason else ""
         yield f"{part_of(found.values, VALUES, parts)}{why}."
     yield from biased(answer)
+    yield from incomplete(answer) if grouped(answer) else ()
 
 
 def biased(answer: Answer) -> Iterator[str]:
@@ -50,6 +56,16 @@ def biased(answer: Answer) -> Iterator[str]:
         yield (
             f"The share that is missing differs between {' and '.join(f'{one}s' for one in apart)}"
             ", which may bias the difference between them."
+        )
+
+
+def incomplete(answer: Answer) -> Iterator[str]:
+    """Values that may be off by more than they say, and unlike in the groups."""
+    found = answer.presence.complete
+    if found.uneven("group"):
+        yield (
+            f"{part_of(found, INCOMPLETE, ('group',))}, which may bias the difference between "
+            f"groups: {REMEDY}."
         )
 
 
