@@ -14,20 +14,21 @@ from exoid.studies.statistics.tables.study import Study
 from .world import Visit, World
 from .write import name_of
 
-MISSED = "the model misses something"  # of a fit, in its own words
+MISSED = "misses something"  # of a fit's model, in its own words
+PARTLY = "behind the release were left out"
+NOTES = (MISSED, PARTLY)
 COVERED = 1.96  # standard errors
 
 
 @dataclass(frozen=True)
 class Told:
-    """Of one quantity: its intervals by question as (value, low, high), the corrected p of the
-    difference, and the mean square of errors that two days of a leg do not share.
+    """Of one quantity: its intervals by question as (value, low, high), and the corrected p of the
+    difference.
     """
 
     quantity: str
     intervals: dict[str, tuple[float, float, float]]
     p: float
-    passing: float
 
 
 @dataclass(frozen=True)
@@ -45,14 +46,15 @@ class Fitted:
 
 @dataclass(frozen=True)
 class Kind:
-    """Recordings with one fault: how many failed, and of how many the fit says that it misses
-    something.
+    """Recordings with one fault: how many failed, of how many the fit says that it misses
+    something, of how many others that their first swing is kept back, and left out.
     """
 
     name: str
     recordings: int
     failed: int
     missed: int
+    partly: int
     fitted: tuple[Fitted, ...]
 
 
@@ -65,16 +67,16 @@ class Answered:
     kinds: tuple[Kind, ...]
 
 
-def told_of(study: Study, world: World, visits: Sequence[Visit]) -> tuple[Told, ...]:
+def told_of(study: Study, world: World) -> tuple[Told, ...]:
     """What a report would say."""
     truths = world.design.truths
     names = tuple(each.quantity for each in truths)
     answers = ask(study, Asked(quantities=names, by="group")).each
     pairs = zip(sorted(answers, key=lambda one: names.index(one.quantity)), truths, strict=True)
-    return tuple(of_answer(study, visits, *each) for each in pairs)
+    return tuple(of_answer(*each) for each in pairs)
 
 
-def of_answer(study: Study, visits: Sequence[Visit], answer: Answer, truth: Truth) -> Told:
+def of_answer(answer: Answer, truth: Truth) -> Told:
     found = answer.reliability
     intervals = {
         "difference of the groups": answer.groups.differences[0].effect,
@@ -83,22 +85,11 @@ def of_answer(study: Study, visits: Sequence[Visit], answer: Answer, truth: Trut
         "minimal detectable change": found.change,
     }
     plain = {name: ends(each) for name, each in intervals.items()}
-    passing = passing_square(study, visits, truth.quantity)
-    return Told(truth.quantity, plain, answer.corrected["groups"], passing)
+    return Told(truth.quantity, plain, answer.corrected["groups"])
 
 
 def ends(each: Interval) -> tuple[float, float, float]:
     return each.value, each.low, each.high
-
-
-def passing_square(study: Study, visits: Sequence[Visit], quantity: str) -> float:
-    """Half the mean square by which errors of two days of a leg differ."""
-    values = values_by_name(study, quantity)
-    off: dict[tuple[str, int], list[float]] = {}
-    for visit in visits:
-        away = values[name_of(visit)][0] - visit.truth(quantity)
-        off.setdefault((visit.person.id, visit.side), []).append(away)
-    return float(np.nanmean([np.var(each, ddof=1) for each in off.values()]))
 
 
 def values_by_name(study: Study, quantity: str) -> dict[str, tuple[float, float]]:
@@ -118,12 +109,13 @@ def kinds_of(study: Study, world: World, visits: Sequence[Visit]) -> tuple[Kind,
 def kinds(study: Study, quantities: Sequence[str], visits: Sequence[Visit]) -> Iterator[Kind]:
     table, rows = study.recordings, study.quantities
     failed = {*table.loc[table["status"] == "failed", "name"]}
-    missed = {*rows.loc[rows["note"].str.contains(MISSED), "name"]}
+    missed, partly = ({*rows.loc[rows["note"].str.contains(each), "name"]} for each in NOTES)
     for name in sorted({each.kind for each in visits}):
         those = [each for each in visits if each.kind == name]
         names = {name_of(each) for each in those}
         fitted = tuple(fitted_of(study, each, those) for each in quantities)
-        yield Kind(name, len(those), len(names & failed), len(names & missed), fitted)
+        counts = (len(names & each) for each in (failed, missed, partly - missed - failed))
+        yield Kind(name, len(those), *counts, fitted)
 
 
 def fitted_of(study: Study, quantity: str, visits: Sequence[Visit]) -> Fitted:

@@ -35,7 +35,7 @@ def replications(
     for seed in seeds:
         visits = draw_study(world, seed)
         study = tables(visits, settings, seed, folder / f"study-{seed:04d}")
-        yield Answered(seed, told_of(study, world, visits), kinds_of(study, world, visits))
+        yield Answered(seed, told_of(study, world), kinds_of(study, world, visits))
 
 
 def tables(visits: list[Visit], settings: Settings, seed: int, place: Path) -> Study:

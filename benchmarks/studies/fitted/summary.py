@@ -11,7 +11,8 @@ from .answered import Answered, Told
 from .world import World
 
 SURE = 0.05  # corrected p of a difference that is found
-WIDE = 48  # characters of a name
+COUNTED = ("recordings", "failed", "missed", "partly")
+WIDE = 52  # characters of a name
 
 
 def summary(world: World, studies: Sequence[Answered]) -> list[str]:
@@ -24,7 +25,7 @@ def summary(world: World, studies: Sequence[Answered]) -> list[str]:
 
 
 def of_quantity(told: Sequence[Told], truth: Truth, world: World) -> Iterator[str]:
-    for question, true in truths(truth, world, float(np.mean([each.passing for each in told]))):
+    for question, true in truths(truth, world):
         each = np.array([one.intervals[question] for one in told])
         held = int(np.sum((each[:, 1] <= true) & (true <= each[:, 2])))
         value, wide = each[:, 0].mean(), each[:, 0].std() / len(each) ** 0.5
@@ -35,13 +36,11 @@ def of_quantity(told: Sequence[Told], truth: Truth, world: World) -> Iterator[st
     yield f"{f'a difference {there} is found':{WIDE}} {found:3} of {len(told):3}"
 
 
-def truths(truth: Truth, world: World, passing: float) -> Iterator[tuple[str, float]]:
-    """What a recording of infinite length would tell, but for errors of fits that one day does not
-    share with the next: test and retest have these, too.
-    """
+def truths(truth: Truth, world: World) -> Iterator[tuple[str, float]]:
+    """What fits without errors would tell: those of sound recordings are next to none."""
     design = world.design
     day = truth.error_of_occasion(design.drops) ** 2
-    day += (world.unlike * truth.mean) ** 2 / design.drops + passing
+    day += (world.unlike * truth.mean) ** 2 / design.drops
     lasting = truth.between**2 + truth.side**2 + truth.effect**2 / 4
     yield "difference of the groups", truth.effect
     yield "ICC(C,1)", lasting / (lasting + day)
@@ -51,12 +50,14 @@ def truths(truth: Truth, world: World, passing: float) -> Iterator[tuple[str, fl
 
 def of_kinds(studies: Sequence[Answered]) -> Iterator[str]:
     """What became of recordings."""
-    yield f"{'recordings':{WIDE}}  of them  failed  'misses something'"
+    yield f"{'recordings':{WIDE}}  of them  failed  'misses something'  first swing left out"
     every = [each for study in studies for each in study.kinds]
     for name in sorted({each.name for each in every}):
         those = [each for each in every if each.name == name]
         counts = [sum(getattr(each, of) for each in those) for of in COUNTED]
-        yield f"{name or 'sound':{WIDE}} {counts[0]:8} {counts[1]:7} {counts[2]:7}"
+        yield f"{name or 'sound':{WIDE}} " + "".join(
+            f"{each:{wide}}" for each, wide in zip(counts, (8, 8, 20, 22), strict=True)
+        )
         for fitted in zip(*(each.fitted for each in those), strict=True):
             valued, held = (sum(getattr(one, of) for one in fitted) for of in ("valued", "held"))
             if valued:
@@ -66,6 +67,3 @@ def of_kinds(studies: Sequence[Answered]) -> Iterator[str]:
                     f"    {fitted[0].quantity}: {held} of {valued} in their intervals, off by "
                     f"{off:+.4f} on average, root mean square {rms:.4f}"
                 )
-
-
-COUNTED = ("recordings", "failed", "missed")
