@@ -14,6 +14,7 @@ from exoid.studies.statistics.ask import ask
 from exoid.studies.statistics.asked import Asked
 from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.tables.study import study_of
+from exoid.studies.statistics.tables.values import values_of
 
 ENDED = "the recording ended {} s before rest"
 
@@ -112,10 +113,27 @@ def test_fits_that_miss_something_in_one_group_are_told_with_the_difference(stud
     told = "8 of 40 values are of fits whose model misses something: control 0 of 20, spastic 8 of"
     answers = ask(fitted(study, rubbing), Asked(by="group"))
     assert told in finding(answers)
-    assert "--with has it in the model of all" in finding(answers)
+    assert "--with has a cause in the model of all" in finding(answers)
     assert any(told in each for each in lacking(answers.each[0]))
     # One of twenty in either group is as it may be.
     both = [sorted(each)[0] for each in (spastic_of(study), people_of(study) - spastic_of(study))]
     assert "misses something" not in finding(ask(fitted(study, both), Asked(by="group")))
     assert "misses something" not in finding(ask(fitted(study, rubbing), Asked()))
     assert "misses something" not in finding(ask(study, Asked(by="group")))
+
+
+def test_where_a_diagnosis_found_what_a_fit_misses_its_value_counts(study):
+    rubbing = sorted(spastic_of(study))[:4]
+    plain = fitted(study, rubbing)
+    rows = plain.quantities
+    of = rows["participant"].isin(rubbing) & (rows["quantity"] == "relaxation_index")
+    lost = rows[of].index[0]  # whose fit did not follow
+    found = rows[of].assign(step="diagnose", value=9.0)
+    rows = rows.assign(value=rows["value"].where(rows.index != lost))
+    both = study_of(plain.recordings, pd.concat([rows, found], ignore_index=True))
+    values = values_of(both, "relaxation_index")
+    assert {*values.frame.loc[values.frame["value"] == 9.0, "person"]} == {*rubbing}
+    assert len(values.frame) == 40
+    told = "8 of 40 values are of a model with what a diagnosis found missing."
+    assert values.notes == (told,)
+    assert "misses something" not in finding(ask(both, Asked(by="group")))

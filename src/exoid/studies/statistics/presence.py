@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from exoid.studies.statistics.mixed.covariates import label
 from exoid.studies.statistics.tables.frames import Column, Frame
 from exoid.studies.statistics.tables.study import Study
-from exoid.studies.statistics.tables.values import WHOLE, Values, asked_rows
+from exoid.studies.statistics.tables.values import DIAGNOSED, FITTED, WHOLE, Values, asked_rows
 
 UNEVEN = 0.05  # by which shares that are missing differ before it is said: one of twenty
 INCOMPLETE = "misses something"  # of its model, as the note of a fit says
@@ -80,10 +80,11 @@ def presence(
 
 def complete(study: Study, rows: Frame) -> Tally:
     """How many values of fits are of a model that misses nothing which the recording tells."""
-    fitted = rows[(rows["step"] == "fit") & rows["value"].notna()]
+    fitted = rows[rows["step"].isin((FITTED, DIAGNOSED)) & rows["value"].notna()]
     notes = study.quantities[study.quantities["quantity"] == "note"]
     missed = notes.loc[notes["note"].str.contains(INCOMPLETE, regex=False), "recording"]
-    return tally(fitted, ~fitted["recording"].isin(missed), ("group",))
+    mended = fitted["step"] == DIAGNOSED
+    return tally(fitted, mended | ~fitted["recording"].isin(missed), ("group",))
 
 
 def groups_of(table: Frame, by: str) -> Column | str:

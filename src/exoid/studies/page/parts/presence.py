@@ -10,7 +10,8 @@ from exoid.studies.statistics.presence import Count, Presence, Tally
 RECORDINGS, VALUES = "recordings without a value", "values are missing"
 INCOMPLETE = "values are of fits whose model misses something"
 REMEDY = (
-    "--steps diagnose of 'exoid study run' asks what they miss, --with has it in the model of all"
+    "--steps drops,fit,diagnose of 'exoid study run' asks what they miss, and --with has a cause "
+    "in the model of all"
 )
 NAMED = 5  # people who are missing; the others are counted
 

@@ -14,7 +14,8 @@ PARTLY = "both"
 PERSONAL = ("age_years", "body_mass_kg", "height_m")
 WHOLE = -1  # the segment that is the whole recording
 SAME = 1e-9  # relative, of a mean and that of the same drops
-STEPS = ("fit", "drops", "diagnose")
+FITTED, DIAGNOSED = "fit", "diagnose"
+STEPS = (FITTED, "drops", DIAGNOSED)
 LEG = ["person", "side"]
 OCCASION = [*LEG, "session"]
 
@@ -81,10 +82,12 @@ def told_by_recordings(rows: Frame) -> tuple[Frame, tuple[str, ...]]:
     elsewhere = rows["determined_by"].str.startswith(ELSEWHERE)
     nobody = (rows["participant"] == "") & ~elsewhere
     partly = rows["determined_by"].str.startswith(PARTLY) & ~nobody
+    mended = (rows["step"] == DIAGNOSED) & ~elsewhere & ~nobody
     said = (
         (elsewhere, "left out: no recording told them, but anatomy, a limit or a setting"),
         (nobody, "left out: their recordings name no participant"),
         (partly, "rest partly on anatomy, which draws people together"),
+        (mended, "are of a model with what a diagnosis found missing"),
     )
     notes = (f"{which.sum()} of {len(rows)} values {why}." for which, why in said if which.any())
     return rows[~elsewhere & ~nobody], tuple(notes)
@@ -104,10 +107,16 @@ def once(rows: Frame) -> Frame:
 
 
 def of_one_step(rows: Frame) -> Frame:
-    """A diagnosis may fit again what a fit has told: the first of the steps that told it."""
-    told = rows.loc[rows["value"].notna(), "step"]
-    steps = [each for each in STEPS if (told == each).any()]
-    return rows[rows["step"] == steps[0]] if steps else rows
+    """The first of the steps that told it. Of a recording in which a diagnosis found what a fit
+    misses, its value, which is of a leg with that, takes the place of the fit's.
+    """
+    told = rows[rows["value"].notna()]
+    steps = [each for each in STEPS if (told["step"] == each).any()]
+    if not steps:
+        return rows
+    found = told.loc[told["step"] == DIAGNOSED, "recording"] if steps[0] == FITTED else ()
+    wanted = np.where(rows["recording"].isin(found), DIAGNOSED, steps[0])
+    return rows[rows["step"] == wanted]
 
 
 def with_people(rows: Frame, recordings: Frame) -> Frame:
