@@ -10,6 +10,7 @@ from .world import Visit
 
 FINER = 4  # steps of the simulation for each sample
 HELD, SWUNG = 40, 240  # samples before the release, and after it
+TIME = STEP * FINER * np.arange(HELD + SWUNG)  # s
 HIGHEST, LOWEST = -0.05, -0.35  # rad, from which legs are dropped
 NOISE = 7.5e-4, 1.8e-3  # rad, rad/s: as it is declared
 COUNT = 2 * np.pi / 4096  # rad, of the encoder
@@ -39,14 +40,14 @@ def record(visits: Sequence[Visit], draw: np.random.Generator) -> list[Recording
     )
     start = draw.uniform(LOWEST, HIGHEST, gravity.size)
     ratios = Ratios(gravity, stiffness, damping, friction)
-    motion = [sampled(each, draw) for each in swing(ratios, start, SWUNG * FINER)]
+    motion = [sampled(each) for each in swing(ratios, start, SWUNG * FINER)]
     shape = (len(visits), drops, HELD + SWUNG)
     angle, rate = (each.reshape(shape) for each in motion)
     return [measured(*each, draw) for each in zip(visits, angle, rate, strict=True)]
 
 
-def sampled(motion: np.ndarray, draw: np.random.Generator) -> np.ndarray:
-    """With the rest before the release, which is not at a sample: the same for both sensors."""
+def sampled(motion: np.ndarray) -> np.ndarray:
+    """At every sample, with the rest before the release."""
     held = np.repeat(motion[:, :1], HELD, axis=1)
     return np.concatenate([held, motion[:, FINER::FINER]], axis=1)
 
@@ -65,6 +66,3 @@ def measured(
     noisy = angle + zero + worse * NOISE[0] * draw.normal(size=angle.shape)
     rate = rate + draw.normal(0, BIAS) + worse * NOISE[1] * draw.normal(size=rate.shape)
     return Recording(visit, COUNT * np.round(noisy / COUNT), rate)
-
-
-TIME = STEP * FINER * np.arange(HELD + SWUNG)  # s
