@@ -162,8 +162,8 @@ def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
     parameters = [told(each) for each in found.parameters]
     booked, each = by_the_fits(found, after)
     twins = twin_sizes(after, found.equivalent, inertia)
-    known, larger = [*parameters, *twins], inertia / found.inertia
-    suspected = [as_fitted(one, found.best.terms, known, larger) for one in each]
+    sizes, larger = [*parameters, *twins], inertia / found.inertia
+    suspected = [as_fitted(one, found.best.terms, sizes, larger) for one in each]
     more: dict[str, Any] = {"booked": booked, "suspected": suspected, "twins": twins}
     if found.formula is not None:
         own = fitted_formula(after.fitted_terms)

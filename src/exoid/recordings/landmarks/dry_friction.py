@@ -83,12 +83,16 @@ def beside(track: Track, turn: Peak, kink: Kink, begin: float) -> Peak:
         near = int(np.abs(track.time - turn.time).argmin())
         return peaks(replace(track, angle=smooth), [near], begin)[0]
 
-    found, apart = turn, max(turn.time_error, track.step)
-    for _ in range(TRIED):
-        here = turned(kink.fall, found.time)
-        later = turned(kink.fall, found.time + apart)
+    def nearer(found: Peak) -> tuple[Peak, Peak, float]:
+        here, later = (turned(kink.fall, found.time + by) for by in (0.0, apart))
         share = min((later.time - here.time) / apart, MOST)
-        found = replace(here, time=found.time + (here.time - found.time) / (1 - share))
+        at = found.time + (here.time - found.time) / (1 - share)
+        return replace(here, time=at), here, share
+
+    apart = max(turn.time_error, track.step)
+    found, here, share = nearer(turn)
+    for _ in range(TRIED - 1):
+        found, here, share = nearer(found)
     other = turned(kink.fall + kink.error, found.time)
     late = float(np.hypot(here.time_error, other.time - here.time)) / (1 - share)
     unsure = float(np.hypot(here.error, other.value - here.value))

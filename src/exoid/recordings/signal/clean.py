@@ -115,7 +115,10 @@ def with_channel(recording: Recording, name: str, signals: list[Samples]) -> Rec
 def swings_alike(recording: Recording, frequency: float) -> bool:
     """Does a tone [Hz] move the leg, as encoder and gyro show together?"""
     pairs = both_of(recording)
-    return bool(pairs) and swung_alike(*zip(*pairs, strict=True), frequency)
+    if not pairs:
+        return False
+    times, angles, rates = (list(each) for each in zip(*pairs, strict=True))
+    return swung_alike(times, angles, rates, frequency)
 
 
 def less_motion(recording: Recording, noises: tuple[Noise, Noise]) -> tuple[Noise, Noise]:
@@ -123,14 +126,15 @@ def less_motion(recording: Recording, noises: tuple[Noise, Noise]) -> tuple[Nois
     pairs = both_of(recording)
     if not pairs or not any(each.alike_over for each in noises):
         return noises
-    times, *signals = (list(each) for each in zip(*pairs, strict=True))
+    times, angles, rates = (list(each) for each in zip(*pairs, strict=True))
     white = [
-        noise_of(times, signal, each.declared) for signal, each in zip(signals, noises, strict=True)
+        noise_of(times, signal, each.declared)
+        for signal, each in zip((angles, rates), noises, strict=True)
     ]
     sizes = white[0].measured or 0.0, white[1].measured or 0.0
 
     def own(each: Noise, alone: Noise) -> Noise:
-        moved = each.alike_over and moved_alike(times, *signals, each.alike_over, sizes)
+        moved = each.alike_over and moved_alike(times, angles, rates, each.alike_over, sizes)
         return replace(alone, spikes=each.spikes, tone=each.tone) if moved else each
 
     return own(noises[0], white[0]), own(noises[1], white[1])

@@ -134,7 +134,7 @@ def value(each: Parameter | SensorError) -> str:
         limit = ", its limit" if at_limit(each) else ""
         return f"not determined (at {number:.3g}{unit}{limit})"
     if error > abs(number):
-        small = each.standard_error < much(each)
+        small = (each.standard_error or 0.0) < much(each)
         return f"0 within ± {error:.2g}{unit}" if small else f"not determined (± {error:.2g}{unit})"
     return f"{with_error(number, error)}{unit}"
 
