@@ -20,7 +20,7 @@ from scipy.integrate import solve_ivp
 import exoid
 from exoid.recordings.filter import kalman
 from exoid.recordings.filter.constants import UNBIASED
-from exoid.recordings.signal.clean import clean
+from exoid.recordings.signal.both_sensors.clean import clean
 
 SEED, DRAWN = 7, 300
 CASES = [draw_case(SEED, number) for number in range(DRAWN)]

@@ -8,7 +8,7 @@ from test_noise import NOISE, sampled, swing
 
 import two_bodies
 from exoid.recordings.recording import Recording, Segment, Sensors
-from exoid.recordings.signal.clean import clean
+from exoid.recordings.signal.both_sensors.clean import clean
 from exoid.recordings.signal.tone import find_tone, without_tone
 
 

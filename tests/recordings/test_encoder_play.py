@@ -5,7 +5,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import exoid
-from exoid.recordings.signal.clean import clean
+from exoid.recordings.signal.both_sensors.clean import clean
 
 TIME = np.linspace(0.0, 5.0, 501)
 FINE = 10  # steps of the motion in one between samples

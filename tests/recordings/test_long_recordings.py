@@ -9,7 +9,7 @@ from exoid.recordings.loading.load import load
 from exoid.recordings.motion.signal import Signal
 from exoid.recordings.recording import Recording, Segment, Subject
 from exoid.recordings.samples import block_means
-from exoid.recordings.signal.clean import clean
+from exoid.recordings.signal.both_sensors.clean import clean
 from exoid.recordings.signal.tone import find_tone, motion
 
 STEP, NOISE = 0.01, 1e-3  # s, rad

@@ -9,7 +9,7 @@ from scipy.stats import chi2
 from exoid.recordings.chi_square import chance_above, median_of
 from exoid.recordings.recording import Recording, Segment, Subject
 from exoid.recordings.signal import spline
-from exoid.recordings.signal.clean import clean
+from exoid.recordings.signal.both_sensors.clean import clean
 from exoid.recordings.signal.tone import AROUND, standing_out
 
 KNOT = 0.08  # s

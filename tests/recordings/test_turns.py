@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
-from exoid.recordings.signal.clean import clean
+from exoid.recordings.signal.both_sensors.clean import clean
 from exoid.recordings.signal.turns import coarse, pace
 
 TIME = np.arange(0, 10, 0.01)

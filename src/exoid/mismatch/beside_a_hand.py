@@ -10,7 +10,6 @@ from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect
 from exoid.mismatch.answer.over_inertia import OVER, times_inertia
 from exoid.mismatch.conclude.rivals import advice, suspects, value_of, with_spread
 from exoid.mismatch.search.found import names, words
-from exoid.mismatch.with_model import just_made
 
 EVEN = 0.5  # the odds of a hand and of a cause: nothing tells which it is
 AS_WELL = 1.2  # times the noise, up to which a cause predicts all of it
@@ -25,7 +24,8 @@ def beside_a_hand(later: Diagnosis, whole: Diagnosis) -> Diagnosis:
     """
     if later.verdict != "cannot_tell":
         return later
-    work = just_made(whole)
+    work = whole.workings
+    assert work is not None  # it was just made
     best = work.best
     (suspect,) = suspects(work.found, [best], best)
     suspect = beside(suspect, later.before)

@@ -15,7 +15,7 @@ from exoid.recordings.motion.drops import law_for
 from exoid.recordings.motion.signal import signal_of
 from exoid.recordings.recording import Recording
 from exoid.recordings.selection import alike, selection
-from exoid.recordings.signal.clean import clean
+from exoid.recordings.signal.both_sensors.clean import clean
 from exoid.recordings.signal.condition import classify
 
 REFUSED = {

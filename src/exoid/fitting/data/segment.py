@@ -9,7 +9,7 @@ from exoid.fitting.model.systematics import systematics
 from exoid.recordings.filter.constants import UNTOLD
 from exoid.recordings.recording import Recording, Segment
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.clean import clean
+from exoid.recordings.signal.both_sensors.clean import clean
 from exoid.recordings.signal.condition import SMOOTHING, classify, cut
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.turns import turns

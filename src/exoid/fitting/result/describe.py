@@ -151,7 +151,8 @@ def notes(result: FitResult, basis: Basis, at_bound: set[str], slack: Leaning | 
     problem, ended = basis.problem, basis.ended
     known = [*limiting(result), *granted(problem)]
     tone = tone_of(result.segments)
-    swung = [] if tone is None else [f"{of_leg_tone(tone, result)}. {WIDENED}"]
+    inertia = result.parameters["inertia"].value
+    swung = [] if tone is None else [f"{of_leg_tone(tone, result.ratios, inertia)}. {WIDENED}"]
     return [
         *of_astray(result.astray, problem),
         *(of_misplaced(problem, ended) if result.follows else []),

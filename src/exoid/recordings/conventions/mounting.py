@@ -14,7 +14,7 @@ from exoid.recordings.landmarks.find_landmarks import find_landmarks
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import track_of
 from exoid.recordings.recording import Recording, Segment
-from exoid.recordings.signal.clean import clean
+from exoid.recordings.signal.both_sensors.clean import clean
 from exoid.recordings.signal.condition import classify
 
 RESTS = -1.33  # rad; where a relaxed leg hangs: its own stiffness holds it short of the plumb line

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from exoid.recordings.landmarks.peak import peaks
+from exoid.recordings.landmarks.swing import turned
 from exoid.recordings.landmarks.track import DEGREE, Peak, Track
 
 AROUND = 0.2  # s to either side of a turn in which its kink is looked for
@@ -26,8 +27,19 @@ class Kink:
     error: float
 
 
-def with_friction(track: Track, near: list[int], found: list[Peak], begin: float) -> list[Peak]:
-    """The turns next to the samples `near`, flexion and extension in turn, of a leg that may rub.
+def turns(track: Track, begin: float) -> list[Peak]:
+    """The turning points after `begin` [s], flexion and extension in turn.
+
+    One counts once the leg has swung back from it by a degree. The first may be an extension,
+    where the leg did not fall at first.
+    """
+    first = int(np.searchsorted(track.time, begin))
+    near = [first + at for at in turned(track, first)]
+    return with_friction(track, peaks(track, near, begin), begin)
+
+
+def with_friction(track: Track, found: list[Peak], begin: float) -> list[Peak]:
+    """The turns, flexion and extension in turn, of a leg that may rub.
 
     They stay as they were `found` where no kink is seen that exceeds its error.
     """

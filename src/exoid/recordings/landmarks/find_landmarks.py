@@ -5,12 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from exoid.recordings.landmarks.dry_friction import turns
 from exoid.recordings.landmarks.landmarks import Landmarks
 from exoid.recordings.landmarks.local_polynomial import local
 from exoid.recordings.landmarks.measure import Found, NotAllowed
 from exoid.recordings.landmarks.release import Release, find_release
 from exoid.recordings.landmarks.rest import CutBefore, Rest, find_rest
-from exoid.recordings.landmarks.swing import turned, turns
+from exoid.recordings.landmarks.swing import turned
 from exoid.recordings.landmarks.track import FEWEST, HALF, SURE, Peak, Track
 from exoid.recordings.motion.acceleration import Law
 from exoid.recordings.motion.extent import Extent, Motionless

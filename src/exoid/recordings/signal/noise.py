@@ -6,7 +6,6 @@ import numpy as np
 
 from exoid.recordings.recording import Sensors
 from exoid.recordings.samples import Samples, quantile
-from exoid.recordings.signal.both_sensors.play import Play
 from exoid.recordings.signal.neighbours import NEIGHBOURS, Known, astride, jumps_of, known_of
 from exoid.recordings.signal.scatter import FAR, FEWEST, NONE, quantum, robust_deviation
 from exoid.recordings.signal.tone import Tone
@@ -23,6 +22,14 @@ HINTING, HINT = 500, 0.7  # samples that tell it to 4 %, and the share of the li
 TURN = 0.2  # s between jumps, at least on average: steps that come faster are of an interpolation
 QUIET = np.radians(0.003)  # of an angle: less than encoders and cameras on a leg scatter
 HEAVY = 1.15  # root mean square over robust deviation, from which on tails are worth a word
+
+
+@dataclass(frozen=True)
+class Play:
+    """How far a leg turns before its encoder follows."""
+
+    width: float  # rad
+    standard_error: float
 
 
 @dataclass(frozen=True)

@@ -1,14 +1,13 @@
 """What the user should know of the noise of what was recorded, in sentences."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import degrees, hypot, pi
+from typing import Any
 
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.model.systematics import by_recording
-from exoid.fitting.result.fit_result import FitResult, SegmentFit
 from exoid.recordings.signal.both_sensors.leg_tone import LegTone, leg_tone
-from exoid.recordings.signal.both_sensors.play import Play
-from exoid.recordings.signal.noise import Noise
+from exoid.recordings.signal.noise import Noise, Play
 
 
 def noise_remarks(movements: list[Movement]) -> list[str]:
@@ -41,9 +40,9 @@ def times_off(movement: Movement) -> str:
     return " and ".join(f"{1e3 * jitter:.2g} ms by the {name}" for name, jitter in each)
 
 
-def tone_of(segments: Sequence[SegmentFit]) -> LegTone | None:
-    """The tone that moves a leg that was let go, beside what the simulation does; None without a
-    gyro.
+def tone_of(segments: Sequence[Any]) -> LegTone | None:
+    """The tone that moves a leg that was let go, beside what the simulation of fitted `segments`
+    does; None without a gyro.
     """
     return leg_tone(
         [
@@ -58,15 +57,14 @@ def tone_of(segments: Sequence[SegmentFit]) -> LegTone | None:
     )
 
 
-def of_leg_tone(tone: LegTone, result: FitResult) -> str:
+def of_leg_tone(tone: LegTone, ratios: Mapping[str, Any], inertia: float | None) -> str:
     """How fast and how far it moves the leg, and the torque that does."""
     turns = 2 * pi * tone.frequency
     spring, drag = (
-        sum(result.ratios[name].value or 0.0 for name in names)
+        sum(ratios[name].value or 0.0 for name in names)
         for names in (("gravity_over_inertia", "stiffness_over_inertia"), ("damping_over_inertia",))
     )
     torque = tone.amplitude * hypot(spring - turns**2, turns * drag)
-    inertia = result.parameters["inertia"].value
     for_leg = "" if inertia is None else f" ({torque * inertia:.2g} N m for J = {inertia:.2g})"
     return (
         f"a tone of {tone.frequency:.2g} Hz moves the leg, by {degrees(tone.amplitude):.2g} ± "

@@ -16,4 +16,5 @@ def moved_by_tone(result: FitResult) -> list[str]:
     tone = tone_of(result.segments)
     if tone is None:
         return []
-    return [of_leg_tone(tone, result), "what else is missing beside it was not sought"]
+    said = of_leg_tone(tone, result.ratios, result.parameters["inertia"].value)
+    return [said, "what else is missing beside it was not sought"]

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recordings.samples import Samples
+from exoid.recordings.signal.noise import Play
 
 WIDTHS = np.radians(np.geomspace(0.05, 6.0, 21))  # rad, of the play, to choose from
 BEGINS = np.linspace(-1.0, 1.0, 9)  # halves of it, by which an encoder is ahead at first
@@ -25,14 +26,6 @@ EXPLAINED = 2.0  # mean square over the noise, that it may leave: else the misma
 
 Table = NDArray[np.float64]
 Pair = tuple[Samples, Samples, Samples]  # of a segment: times, angle, rate
-
-
-@dataclass(frozen=True)
-class Play:
-    """How far a leg turns before its encoder follows."""
-
-    width: float  # rad
-    standard_error: float
 
 
 @dataclass(frozen=True, eq=False)
