@@ -1,13 +1,9 @@
 """How sure an answer is, and what else it may be."""
 
-from dataclasses import replace
-
 from exoid.mismatch.answer.diagnosis import Diagnosis
-from exoid.mismatch.answer.over_inertia import OVER, guessed
 from exoid.mismatch.sensors.agreement import BIAS
 from exoid.physics.library import library
 from exoid.physics.term import name_of
-from exoid.report.words.diagnosis.cause import parameter
 from exoid.report.words.text import causes_in_words
 
 SUSPECTS = 3  # that are named
@@ -34,24 +30,6 @@ def twins(found: Diagnosis) -> dict[str, str]:
     known = {name_of(term): term.title for term in library()}
     each = [exact_twin(mine, {*name.split(" + ")}) for name in found.equivalent]
     return {name: known[name] for name in each if name}
-
-
-def alike(found: Diagnosis) -> list[str]:
-    """What may act in the place of a cause, how large it is then, and no recording of motion tells
-    which of the two it is.
-    """
-    return [
-        f"or {title}{size_of(name, found)}, which would look exactly alike"
-        for name, title in twins(found).items()
-    ]
-
-
-def size_of(twin: str, found: Diagnosis) -> str:
-    """How large it is: a torque for the inertia that the numbers go with, and over that."""
-    own = [each for each in found.twins if each.name.startswith(f"{twin}.")]
-    untold = guessed(found.fit) and any(each.name.endswith(OVER) for each in own)
-    shown = [each for each in own if not (untold and each.unit.startswith("N m"))]
-    return "".join(f", {parameter(replace(e, name=e.name.replace(OVER, ' / J')))}" for e in shown)
 
 
 def exact_twin(mine: set[str], other: set[str]) -> str | None:
