@@ -54,3 +54,5 @@ def test_drops_that_end_on_a_bench_are_said_to():
     assert found.verdict == "cannot_tell"
     assert found.reasons[0].startswith("every drop is stopped within 0.3")
     assert found.before.notes[0].startswith("every drop is stopped")
+    for cause in ("hand", "bench", "friction"):  # nobody told which
+        assert cause in found.reasons[0]

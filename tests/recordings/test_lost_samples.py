@@ -32,6 +32,16 @@ def test_an_encoder_that_stands_still_is_told_by_its_gyro_or_by_where_it_goes_on
         assert np.flatnonzero(lost(TIME, angle, rate)).tolist() == list(range(500))[HOLE]
 
 
+@pytest.mark.parametrize("play", [1.0, 3.0, 6.0, 10.0])
+def test_an_encoder_that_play_holds_where_the_leg_turns_back_stays(play):
+    """It stands while its gyro turns through the play, and goes on from there without a jump."""
+    angle, half = ANGLE.copy(), np.radians(play) / 2
+    for k in range(1, angle.size):
+        angle[k] = np.clip(angle[k - 1], ANGLE[k] - half, ANGLE[k] + half)
+    assert (np.diff(angle) == 0.0).sum() > 10
+    assert not lost(TIME, angle, RATE).any()
+
+
 def test_what_a_coarse_encoder_shows_at_rest_stays():
     held = np.concatenate([np.full(100, ANGLE[0]), ANGLE[:400]])
     held[420:] = held[420]  # caught while it moves

@@ -58,12 +58,14 @@ def fastest(each: Movement) -> int:
 
 def kept_back_by(whole: Sequence[Movement], problem: Problem, ended: SearchResult) -> KeptBack:
     """What keeps these drops back, by the leg of a fit of what follows their first swings; unknown
-    where that has more than Eq. 9.
+    where that has more than Eq. 9. What a filter does to a release looks as a hand does.
     """
     if problem.terms:
         return "unknown"
     drops = [number for number, each in enumerate(whole) if bottom(each)]
-    return by_energy([first_swing(whole[number], problem, ended, number) for number in drops])
+    by = by_energy([first_swing(whole[number], problem, ended, number) for number in drops])
+    blurred = any(each.noise.alike_over or each.noise.hidden for each in whole)
+    return "filtered" if blurred and by == "hand" else by
 
 
 def by_energy(drops: Sequence[FirstSwing]) -> KeptBack:

@@ -10,7 +10,15 @@ AS: dict[KeptBack, str] = {
     "hand": "as where a hand lets go slowly or moves as it lets go, or a muscle holds the leg",
     "speed": "by what begins only once the leg is fast: it may be a stretch reflex (spasticity), "
     "or something that the leg meets, but no hand that lets go slowly",
+    "filtered": "as where a filter, which this angle went through, blurs the release, or a hand "
+    "lets go slowly: this recording cannot tell which",
     "unknown": "by what may be a stretch reflex (spasticity), or a hand that lets go slowly or "
     "moves as it lets go: this recording cannot tell which",
 }
-NEXT: dict[KeptBack, str] = {"hand": "Let go at once.", "speed": REFLEX, "unknown": REFLEX}
+UNFILTERED = "Give the angle as it was measured, and let go at once."
+NEXT: dict[KeptBack, str] = {
+    "hand": "Let go at once.",
+    "speed": REFLEX,
+    "filtered": UNFILTERED,
+    "unknown": REFLEX,
+}

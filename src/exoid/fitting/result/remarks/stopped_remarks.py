@@ -19,7 +19,8 @@ def of_stopped(movements: Sequence[Movement]) -> list[str]:
     low, high = f"{places.min():.0f}", f"{places.max():.0f}"
     where = f"{low} deg" if low == high else f"{low} to {high} deg"
     return [
-        f"every drop is stopped within {longest:.2g} s, at {where}, as by a hand or by what the "
-        "leg meets there (a seat, a bench), which is too short a swing to tell much of a leg. Let "
-        "it swing until it hangs still"
+        f"every drop is stopped within {longest:.2g} s, at {where}, as by a hand, by what the leg "
+        "meets there (a seat, a bench), or by dry friction (rigidity) that holds it, which is too "
+        "short a swing to tell much of a leg. Touch nothing until it hangs still: if it stops "
+        "there by itself and from wherever it is let go, it is friction"
     ]

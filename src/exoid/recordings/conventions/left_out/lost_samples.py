@@ -83,13 +83,15 @@ def goes_on(before: float, after: float, slope: float) -> bool:
 
 def lost(time: Samples, angle: Samples, rate: Samples | None) -> NDArray[np.bool_]:
     """Which samples of an angle [rad] repeat a value that it jumps to or from, or while it turns by
-    its rate [rad/s].
+    its rate [rad/s] and is there at once when they end: with play it goes on from where it stood.
     """
     found = np.zeros(angle.size, dtype=bool)
     steps = np.abs(np.diff(angle))
     for first, last in repeated(angle):
         before, after = steps[max(first - 1 - BESIDE, 0) : first][::-1], steps[last - 1 :]
-        moves = rate is not None and turns(time[first:last], rate[first:last])
+        stood = slice(first, last)
+        turned = 0.0 if rate is None else turns(time[stood], rate[stood])
+        moves = turned > 0.0 and (after.size == 0 or not after[0] < MOVES * turned)
         found[first:last] = moves or jumps(before) or jumps(after[: BESIDE + 1])
     return found
 
@@ -106,10 +108,10 @@ def jumps(steps: Samples) -> bool:
     return bool(steps[0] > max(LEAST, ALONE * np.nanmax(steps[1:], initial=0.0)))
 
 
-def turns(time: Samples, rate: Samples) -> bool:
-    """Does a gyro turn meanwhile?"""
+def turns(time: Samples, rate: Samples) -> float:
+    """By how much a gyro turns meanwhile [rad]; 0 where that is no more than its bias may be."""
     turned = abs(float(np.nansum((rate[1:] + rate[:-1]) / 2 * np.diff(time))))
-    return turned > max(LEAST, MOVES * float(time[-1] - time[0]))
+    return turned if turned > max(LEAST, MOVES * float(time[-1] - time[0])) else 0.0
 
 
 def without(segment: Segment, lost: dict[str, NDArray[np.bool_]]) -> Segment:

@@ -22,7 +22,8 @@ LONGEST, MANY = 30.0, 20  # s of a part, and parts that tell the play
 ROUNDS = 3  # a late gyro is moved by what the last has found
 SMALL = 1.3  # mean square over the noise, that nothing is looked for in
 FALLS = 0.7  # times what is left without play: sensors without any leave above 0.95 of it
-EXPLAINED = 2.0  # mean square over the noise, that it may leave: else the mismatch is another
+EXPLAINED = 2.0  # mean square over the noise, that it may leave: else the mismatch is another,
+ALL = 0.005  # unless no more of it is left: an encoder that stands in its play shows less noise
 
 Table = NDArray[np.float64]
 Pair = tuple[Samples, Samples, Samples]  # of a segment: times, angle, rate
@@ -46,6 +47,7 @@ class Found:
     play: Play
     later: float  # s, by which the gyro is later than was taken
     left: float  # mean square over the noise
+    share: float  # of what there is without play
 
 
 def find_play(pairs: list[Pair], noise: float) -> tuple[Play, list[Samples]] | None:
@@ -60,7 +62,7 @@ def find_play(pairs: list[Pair], noise: float) -> tuple[Play, list[Samples]] | N
         if found is None:
             return None
         late += found.later
-    if found is None or found.left > EXPLAINED:
+    if found is None or (found.left > EXPLAINED and found.share > ALL):
         return None
     width = found.play.width
     return found.play, [np.concatenate([ahead(one, late, width) for one in own]) for own in parts]
@@ -79,7 +81,8 @@ def in_one_round(pieces: list[Turned], noise: float) -> Found | None:
     if squares[1] > FALLS * without or bend <= 0:
         return None
     play = Play(float(near[1]), float(np.sqrt(2 * squares[1] / freedom / bend)))
-    return Found(play, lateness(pieces, play.width), float(squares[1] / freedom / noise**2))
+    left = float(squares[1] / freedom / noise**2)
+    return Found(play, lateness(pieces, play.width), left, float(squares[1]) / without)
 
 
 def parts_of(time: Samples, angle: Samples, rate: Samples) -> list[Pair]:

@@ -45,7 +45,7 @@ def moved_alike(
     count = width / usual_step(np.concatenate(times))
     error = own * np.sqrt(max(count, 1.0) / square)
     of_noise = white[0] / (width * np.sqrt(max(count, 3.0) / 12))
-    return share > max(SHARE, SURE * error) and own > OWN * of_noise
+    return bool(share > max(SHARE, SURE * error) and own > OWN * of_noise)
 
 
 def departed(time: Samples, angle: Samples, rate: Samples, width: float) -> np.ndarray:
