@@ -115,10 +115,7 @@ def with_channel(recording: Recording, name: str, signals: list[Samples]) -> Rec
 def swings_alike(recording: Recording, frequency: float) -> bool:
     """Does a tone [Hz] move the leg, as encoder and gyro show together?"""
     pairs = both_of(recording)
-    if not pairs:
-        return False
-    times, angles, rates = (list(each) for each in zip(*pairs, strict=True))
-    return swung_alike(times, angles, rates, frequency)
+    return bool(pairs) and swung_alike(pairs, frequency)
 
 
 def less_motion(recording: Recording, noises: tuple[Noise, Noise]) -> tuple[Noise, Noise]:
@@ -134,7 +131,7 @@ def less_motion(recording: Recording, noises: tuple[Noise, Noise]) -> tuple[Nois
     sizes = white[0].measured or 0.0, white[1].measured or 0.0
 
     def own(each: Noise, alone: Noise) -> Noise:
-        moved = each.alike_over and moved_alike(times, angles, rates, each.alike_over, sizes)
+        moved = each.alike_over and moved_alike(pairs, each.alike_over, sizes)
         return replace(alone, spikes=each.spikes, tone=each.tone) if moved else each
 
     return own(noises[0], white[0]), own(noises[1], white[1])

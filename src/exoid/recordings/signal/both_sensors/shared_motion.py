@@ -22,18 +22,16 @@ SURE = 4.0  # standard errors of that share
 USUAL = 3.0  # robust deviations: what a release or a catch adds beyond is of few samples
 LEAST = 1e-4, 1e-3  # rad, rad/s: a sensor whose samples scatter by less went through a filter
 OWN = 0.7  # of an angle's noise, that its slope has and a rate by another sensor has not
-Signals = Sequence[Samples]
+Pair = tuple[Samples, Samples, Samples]  # of a segment: time [s], angle [rad], rate [rad/s]
 
 
-def moved_alike(
-    times: Signals, angles: Signals, rates: Signals, width: float, white: tuple[float, float]
-) -> bool:
+def moved_alike(pairs: Sequence[Pair], width: float, white: tuple[float, float]) -> bool:
     """Is what the rate and the angle show over `width` s a motion that both show? `white` is the
     noise of an angle [rad] and of a rate [rad/s] that neighbours do not share.
     """
     if white[0] < LEAST[0] or white[1] < LEAST[1]:
         return False
-    each = [departed(*one, width) for one in zip(times, angles, rates, strict=True)]
+    each = [departed(*one, width) for one in pairs]
     slope, rate = (np.concatenate([one[row] for one in each]) for row in range(2))
     if rate.size < 2 * FEWEST:
         return False
@@ -42,7 +40,7 @@ def moved_alike(
     square = float(np.sum(rate**2)) or NONE
     share = float(slope @ rate) / square
     own = float(np.sqrt(np.mean((slope - share * rate) ** 2)))
-    count = width / usual_step(np.concatenate(times))
+    count = width / usual_step(pairs[0][0])
     error = own * np.sqrt(max(count, 1.0) / square)
     of_noise = white[0] / (width * np.sqrt(max(count, 3.0) / 12))
     return bool(share > max(SHARE, SURE * error) and own > OWN * of_noise)
@@ -61,12 +59,12 @@ def departed(time: Samples, angle: Samples, rate: Samples, width: float) -> np.n
     return np.stack([known_of(time, one).errors(stride)[1] for one in (slope, mean)])
 
 
-def swung_alike(times: Signals, angles: Signals, rates: Signals, frequency: float) -> bool:
+def swung_alike(pairs: Sequence[Pair], frequency: float) -> bool:
     """Is a tone of the rate [Hz] that of the angle, a quarter of a period ahead and 2 pi f times as
     large?
     """
     turns, own, other = 2 * np.pi * frequency, [], []
-    for time, angle, rate in zip(times, angles, rates, strict=True):
+    for time, angle, rate in pairs:
         known = ~(np.isnan(angle) | np.isnan(rate))
         if known.sum() >= FEWEST:
             cosine, sine = piecewise(time[known], angle[known], frequency).T
