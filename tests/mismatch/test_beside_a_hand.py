@@ -2,13 +2,27 @@
 
 from dataclasses import replace
 
+import jax
+import numpy as np
 import pytest
-from test_fit_json import fitted
 
+from exoid.fitting.estimate import fit as fitted
 from exoid.mismatch.answer.diagnosis import Booked, Parameter, Suspect
 from exoid.mismatch.beside_a_hand import beside, holding
+from exoid.physics.leg import LegModel
+from exoid.physics.torque import NoTorque
+from exoid.twin.motion import Movement
+from exoid.twin.protocols import record
+from fit_cases import BODY, leg
 
 DAMPING, DRIFT = "damping_over_inertia", 0.03  # 1/s, by which a reflex would have the leg damped
+
+
+@pytest.fixture(scope="module")
+def fit():
+    model = LegModel(leg(), NoTorque(), np.asarray(0.0))
+    made = record(model, [Movement(np.radians(-10.0), 6.0)], jax.random.key(3), subject=BODY)
+    return fitted(made, multistart=1)
 
 
 def suspected(fit):
@@ -22,8 +36,7 @@ def suspected(fit):
     return Suspect(["stretch_reflex"], numbers, [Parameter("stretch_reflex.gain", 1.0, "", None)])
 
 
-def test_a_suspect_stands_beside_the_numbers_that_are_shown():
-    fit = fitted()
+def test_a_suspect_stands_beside_the_numbers_that_are_shown(fit):
     known = {one.name: one for one in beside(suspected(fit), fit).numbers}
     damping, inertia = fit.ratios[DAMPING].value, fit.parameters["inertia"].value
     assert known[DAMPING].before == damping
@@ -32,8 +45,7 @@ def test_a_suspect_stands_beside_the_numbers_that_are_shown():
     assert known["damping"].after == pytest.approx(inertia * (damping + DRIFT))
 
 
-def test_the_errors_hold_how_far_the_suspect_is():
-    fit = fitted()
+def test_the_errors_hold_how_far_the_suspect_is(fit):
     sure = replace(fit.ratios[DAMPING], standard_error=1e-4)
     fit = replace(fit, ratios=fit.ratios | {DAMPING: sure})
     found = holding(fit, beside(suspected(fit), fit)).ratios[DAMPING]

@@ -11,7 +11,7 @@ from exoid.fitting.amount.manageable import DIAGNOSED
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.fit_result import FitResult
-from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.mismatch.answer.diagnosis import Diagnosis, just_made
 from exoid.mismatch.beside_a_hand import beside_a_hand
 from exoid.mismatch.conclude.choose import Chosen, choose
 from exoid.mismatch.conclude.formulated import formulated
@@ -32,7 +32,7 @@ from exoid.mismatch.search.challenge import challenged, with_hidden
 from exoid.mismatch.search.found import Found, causes, names, size
 from exoid.mismatch.search.search import look
 from exoid.mismatch.stand_in import with_nameless
-from exoid.mismatch.with_model import just_made, with_model
+from exoid.mismatch.with_model import with_model
 from exoid.physics.term import SensorTerm, Term
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.recording import Recording

@@ -13,7 +13,7 @@ from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
 from exoid.fitting.result.agreement import astray
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.fitting.result.limiting_systematics import limited_anew
-from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
+from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter, just_made
 from exoid.mismatch.conclude.asserted import same_cause
 from exoid.mismatch.conclude.rivals import (
     advice,
@@ -191,12 +191,6 @@ def for_inertia(ratio: Estimate, declared: Declaration, inertia: float) -> Estim
         None if each is None else each * scale for each in (ratio.value, ratio.standard_error)
     )
     return replace(ratio, value=value, standard_error=error)
-
-
-def just_made(found: Diagnosis) -> Workings:
-    """What a diagnosis rests on that was not read from a file."""
-    assert found.workings is not None
-    return found.workings
 
 
 def extended(found: Diagnosis, best: Hypothesis) -> tuple[Term, ...]:

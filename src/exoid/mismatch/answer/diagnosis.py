@@ -150,3 +150,9 @@ class Diagnosis:
     def explained(self) -> bool:
         """Is what the best explanation leaves hardly more than noise?"""
         return self.best.mean_square < UNEXPLAINED
+
+
+def just_made(found: Diagnosis) -> Workings:
+    """What a diagnosis rests on that was not read from a file."""
+    assert found.workings is not None
+    return found.workings
