@@ -4,12 +4,12 @@ from functools import cache
 
 import numpy as np
 import pytest
+from exoid.recordings.signal.clean import Cleaned, clean
 from scipy.integrate import solve_ivp
 from scipy.signal import butter, filtfilt
 
 from exoid.recordings.recording import Recording, Segment
 from exoid.recordings.signal.both_sensors.leg_tone import leg_tone
-from exoid.recordings.signal.clean import Cleaned, clean
 
 TIME = 0.01 * np.arange(800)
 OF_ANGLE, OF_RATE = np.radians(0.05), np.radians(0.17)  # white noise of the sensors

@@ -6,7 +6,7 @@ import numpy as np
 
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.limiting_systematics import limited_anew
-from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect, just_made
+from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect
 from exoid.mismatch.answer.over_inertia import OVER, times_inertia
 from exoid.mismatch.conclude.rivals import advice, suspects, value_of, with_spread
 from exoid.mismatch.search.found import names, words

@@ -20,6 +20,7 @@ from exoid.report.tables.table import Column, Table
 from exoid.report.words.astray import astray
 from exoid.report.words.diagnosis import cause, certainty
 from exoid.report.words.diagnosis.asserted import only_sensors, only_usual
+from exoid.report.words.diagnosis.sentences import alike
 from exoid.report.words.diagnosis.verdict import verdict
 from exoid.report.words.left_out import left_out
 from exoid.report.words.text import capital, in_degrees, in_words
@@ -168,7 +169,7 @@ def missing(found: Diagnosis) -> Group:
             f"With it, held-out data are predicted to {in_degrees(after)} deg instead of "
             f"{in_degrees(before)} deg."
         )
-    effects = [*cause.named(found), *certainty.alike(found), *certainty.others(found)]
+    effects = [*cause.named(found), *alike(found), *certainty.others(found)]
     state: State = "good" if only_usual(found) else "care"
     return card(question, state, answer, f"{sentence('; '.join(effects))} {proof}".strip())
 

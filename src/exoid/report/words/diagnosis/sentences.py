@@ -143,21 +143,3 @@ def of_times(found: Diagnosis) -> str:
         if off
         else ""
     )
-
-
-def alike(found: Diagnosis) -> list[str]:
-    """What may act in the place of a cause, how large it is then, and no recording of motion tells
-    which of the two it is.
-    """
-    return [
-        f"or {title}{size_of(name, found)}, which would look exactly alike"
-        for name, title in twins(found).items()
-    ]
-
-
-def size_of(twin: str, found: Diagnosis) -> str:
-    """How large it is: a torque for the inertia that the numbers go with, and over that."""
-    own = [each for each in found.twins if each.name.startswith(f"{twin}.")]
-    untold = guessed(found.fit) and any(each.name.endswith(OVER) for each in own)
-    shown = [each for each in own if not (untold and each.unit.startswith("N m"))]
-    return "".join(f", {parameter(replace(e, name=e.name.replace(OVER, ' / J')))}" for e in shown)
