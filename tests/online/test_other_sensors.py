@@ -14,6 +14,7 @@ from exoid.watching.estimate.leg import Leg, LegDrop, Person
 from exoid.watching.estimate.load import Load
 from exoid.watching.estimate.moment import Moment
 from hands import Knee
+from legs import fall
 from reflexes import ADULT, stretched, thrown
 
 SUBJECT = Subject(kind="leg", body_mass=77.0, height=1.80)
@@ -117,6 +118,44 @@ def test_a_leg_that_a_hand_lowers_is_no_drop_by_its_angle_alone(rate, lasting):
     assert not drops
     assert last.trust is online.Trust.WAITING
     assert last.begun > 0.0  # it left its hold as one does that is let go
+
+
+CAMERA = 25, np.radians(0.3)  # Hz, rad
+LEG = (26.3, 4.7, 0.85)  # m l g / J and c / J [1/s^2], d / J [1/s]
+
+
+def filmed(seed: int) -> list[Segment]:
+    """Two drops from a hold, as a camera shows them."""
+    rate, noise = CAMERA
+    rng, found = np.random.default_rng(seed), []
+    for start in np.radians([-15.0, -30.0]):
+        swing = fall(LEG, float(start), duration=8.0, step=1 / rate)[1]
+        angle = np.concatenate([np.full(rate, start), swing])
+        scattered = angle + noise * rng.standard_normal(angle.size)
+        found.append(Segment(np.arange(angle.size) / rate, raw_angle=scattered))
+    return found
+
+
+def test_by_the_angle_of_a_camera_alone_no_number_leans_to_one_side():
+    """The mean of 24, over their errors, scatters by 1 / sqrt(24) = 0.2."""
+    lasts = [followed(filmed(seed))[1] for seed in range(24)]
+    assert all(each.believed for each in lasts)
+    off = [
+        [(one.value - true) / one.error for one, true in zip(each.ratios, LEG, strict=True)]
+        for each in lasts
+    ]
+    assert np.abs(np.mean(off, axis=0)) == pytest.approx(0.0, abs=0.7)
+    assert np.sqrt(np.mean(np.square(off), axis=0)) == pytest.approx(1.0, abs=0.45)
+
+
+def test_a_movement_is_foreseen_with_the_sensors_that_are_there():
+    """Else a drop that tells a camera nothing new would be worth it to a gyro."""
+    from exoid.watching.beside.movement import Movement, samples_of
+
+    model = online.Model(node=online.node_of(Recording(tuple(filmed(0)), SUBJECT)))
+    samples = samples_of(Movement(-0.3), online.init(expected_of(SUBJECT), model), model, 0.0)
+    assert np.isnan(samples.angular_velocity).all()
+    assert np.diff(samples.time) == pytest.approx(1 / CAMERA[0])
 
 
 def test_another_noise_needs_no_program_of_its_own():

@@ -84,7 +84,7 @@ def run(
 
 def without_sensing(model: Model) -> Model:
     """What a program is compiled for: how samples scatter, a belief says."""
-    node, kept = model.node, ("tilt", "slant", "clock", "clock_declared")
+    node, kept = model.node, ("tilt", "slant", "clock", "clock_declared", "gyro")
     return replace(model, node=Node(**{name: getattr(node, name) for name in kept}))
 
 

@@ -98,7 +98,13 @@ def declared(recording: Recording) -> Node:
     return Node(
         **{name: value for name, value in known.items() if value is not None},
         clock_declared=sensors.clock_uncertainty is not None,
+        gyro=any(has_gyro(each) for each in recording.segments),
     )
+
+
+def has_gyro(segment: Segment) -> bool:
+    rates = segment.raw_angular_velocity, segment.angular_velocity
+    return any(each is not None and bool(np.isfinite(each).any()) for each in rates)
 
 
 def level_of(times, signals, declared: float | None, swing: float, least: float) -> float:

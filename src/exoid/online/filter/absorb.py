@@ -19,8 +19,9 @@ from exoid.online.filter.loosen import loosened
 from exoid.online.filter.motion import Span, advance, view
 from exoid.online.filter.sensor_noise import SensorNoise
 from exoid.online.filter.times import times
+from exoid.online.model.model import Model
 from exoid.online.model.sample import Sample
-from exoid.online.model.unknowns import AT, Row, Unknowns
+from exoid.online.model.unknowns import AT, Row
 
 Pair = Float[Array, "2"]
 
@@ -44,15 +45,15 @@ class Innovation(eqx.Module):
 
 
 def absorb(
-    unknowns: Unknowns, belief: Gaussian, sample: Sample, span: Span, noise: SensorNoise
+    model: Model, belief: Gaussian, sample: Sample, span: Span, noise: SensorNoise
 ) -> tuple[Gaussian, Innovation]:
     """The belief after a span of time and the sample at its end."""
-    ahead = carried_on(unknowns, belief, sample, span)
+    ahead = carried_on(model, belief, sample, span)
     drift = noise.drift * jnp.sqrt(span.length)
     ahead = Gaussian(ahead.mean, loosened(ahead.root, AT["gyro_delay"], drift))
 
     def shown(row):
-        seen = view(unknowns, row, sample)
+        seen = view(model.unknowns, row, sample)
         return seen.shown, seen
 
     slope, found = jax.jacfwd(shown, has_aux=True)(ahead.mean)
@@ -73,17 +74,17 @@ def absorb(
     return after, Innovation(whitened, square, told, white, likelihood, used, far)
 
 
-def carried_on(unknowns: Unknowns, belief: Gaussian, sample: Sample, span: Span) -> Gaussian:
+def carried_on(model: Model, belief: Gaussian, sample: Sample, span: Span) -> Gaussian:
     """The belief a span of time later, before the sample is looked at."""
 
     def arrival(row):
-        reached = advance(unknowns, row, sample, span)
+        reached = advance(model.unknowns, row, sample, span)
         return reached.state, reached
 
     slope, reached = jax.jacfwd(arrival, has_aux=True)(belief.mean)
     push = ROUGHNESS**2 * span.length / TICK + reached.rough**2
     state = reached.state
-    if unknowns.curved:
+    if model.curved:
         mean, variance = bent(lambda row: arrival(row)[0][1], belief)
         state, push = state.at[1].add(mean), push + variance
     moved = carried(times(slope, belief.root), push)

@@ -55,7 +55,7 @@ def next_one(model: Model, belief: Knowledge) -> Knowledge:
     span = Span(jnp.where(bridges, TICK, whole), jnp.where(course.opened, course.torque, row[3]))
     noise = noise_of(belief.sensing, course.scatter)
     taken = jax.vmap(absorb, in_axes=(None, 0, None, None, None))
-    after, innovation = taken(model.unknowns, filters, Sample(*row), span, noise)
+    after, innovation = taken(model, filters, Sample(*row), span, noise)
     skips = ~course.opened & blind
     moved = replace(
         belief,

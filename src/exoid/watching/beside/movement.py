@@ -14,7 +14,7 @@ from exoid.online.model.sample import Sample
 from exoid.watching.estimate.load import BARE, Mass
 from exoid.watching.estimate.online import Belief
 
-STEP = 0.01  # s, of the node
+STEP = 0.01  # s, by which a movement is made
 HELD, FREE = 0.6, 6.0  # s: a rest that is seen as one, and a drop
 LATER = 1.0  # s after what was seen: a gap, after which nothing is taken to go on
 SEED = 1  # of the noise: what is advised depends on the belief alone
@@ -35,8 +35,8 @@ class Movement:
 
 
 def samples_of(movement: Movement, belief: Belief, model: Model, after: float) -> Sample:
-    """What the node would send of it after the time `after` [s], as the leg with that mass is
-    believed to be.
+    """What the sensors would send of it after the time `after` [s], as the leg with that mass is
+    believed to be: as often as they do, and no rate where there is no gyro.
     """
     from exoid.online.belief import knowledge_of
 
@@ -50,7 +50,9 @@ def samples_of(movement: Movement, belief: Belief, model: Model, after: float) -
     noise = np.random.default_rng(SEED).normal(size=(held + free, 2))
     node = model.node
     shown = np.concatenate([still, fallen]) + noise * [node.angle_noise, node.velocity_noise]
-    return Sample(time, shown[:, 0], shown[:, 1])
+    rate = shown[:, 1] if node.gyro else np.full(len(shown), np.nan)
+    sent = slice(None, None, max(1, round(node.period / STEP)))
+    return Sample(time[sent], shown[sent, 0], rate[sent])
 
 
 def bias_in(model: Model) -> int:
