@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from exoid.online.model.trust import Phase, Trust
+from exoid.physics.leg import GRAVITY
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.watching.board import Board, Ended
 from exoid.watching.estimate.left_out import STRAYED, TORN, LeftOut, is_falling
@@ -75,7 +76,7 @@ def test_a_stump_is_followed_and_called_no_whole_leg(person):
     moments, drops, left = followed(person, stream(*swings(STUMP)))
     assert len(drops) == 3
     assert left == []
-    assert moments[-1].other_limb
+    assert moments[-1].unlike
     for each, truth in zip(moments[-1].ratios, STUMP, strict=True):
         assert abs(each.value - truth) < LIKELY * each.error, each
 
@@ -84,6 +85,32 @@ def test_a_whole_leg_is_no_other_limb(person):
     rows = np.zeros((300, 6))
     rows[:, :4] = [each[:4] for each in stream(*swings()[:1])[:300]]
     assert other_limb(person.expected, person.model, rows, HELD) is None
+
+
+YOUNG = (36.0, 8.0, 1.1)  # J / (m l) is eight of an adult's standard deviations off
+
+
+@pytest.mark.parametrize("held", [True, False])
+def test_a_leg_that_none_of_its_body_moves_like_is_followed_by_no_table(person, held):
+    """Where the hold is not seen, the record begins as the leg is let go."""
+    readings = stream(*swings(YOUNG))
+    if not held:
+        cut = [each for each in readings if each.time % APART >= HELD - 0.005]
+        firsts = [at for at, each in enumerate(cut) if each.time % APART < HELD + 0.005]
+        readings = [each._replace(begins=at in firsts) for at, each in enumerate(cut)]
+    moments, drops, left = followed(person, readings)
+    assert len(drops) == 3
+    assert left == []
+    found = drops[0].moment.unlike
+    assert found is not None
+    assert found.length == pytest.approx(GRAVITY / YOUNG[0], rel=0.01)
+    for each, truth in zip(moments[-1].ratios, YOUNG, strict=True):
+        assert abs(each.value - truth) < LIKELY * each.error, each
+
+
+def test_a_leg_as_its_body_has_it_is_none_that_the_tables_are_put_aside_for(person):
+    moments, _, _ = followed(person, stream(*swings()))
+    assert moments[-1].unlike is None
 
 
 def ended(number: int, begun: float) -> Ended:

@@ -10,7 +10,8 @@ from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.prior import no_prior
 from exoid.fitting.model.prior_and_limits import limits_of
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.result.remarks.anatomy_remarks import STRANGE, from_anatomy
+from exoid.fitting.result.remarks.anatomy_remarks import from_anatomy
+from exoid.physics.anatomy.expected import STRANGE
 from exoid.physics.anatomy.limits import anybody
 
 TELLING = "gravity_over_inertia"

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from exoid.cli.live.saying import words
+from exoid.cli.live.saying import leaning, words
 from exoid.cli.live.saying.movements import all_drops, left_out
 from exoid.cli.terminal.say import say
 
@@ -43,7 +43,7 @@ def lines(board: "Board") -> list[str]:
     ]
     seconds = "" if board.moment is None else f"{board.moment.time:.1f} s, {all_drops(board)}; "
     said = [f"{seconds}{words.trust(board)}", *left_out(board), *found]
-    beside = words.unseen, words.other_limb, words.allowance, words.batch, words.if_slack
+    beside = words.unseen, leaning.unlike, leaning.allowance, words.batch, words.if_slack
     said += filter(None, (each(board) for each in beside))
     if (then := words.advice(board)) != "":
         said.append(f"next: {then}")

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from math import sqrt
 
 Matrix = tuple[tuple[float, ...], ...]
+STRANGE = 3.29  # standard deviations from what is expected: one leg in a thousand
 
 
 @dataclass(frozen=True)

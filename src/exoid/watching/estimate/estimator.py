@@ -15,9 +15,9 @@ from exoid.recordings.live.decoding.reading import Reading
 from exoid.recordings.recording import Segment
 from exoid.watching.estimate.known import RATIOS, told_of
 from exoid.watching.estimate.left_out import STRAYED, LeftOut, Strays
-from exoid.watching.estimate.moment import Moment, Quantity
+from exoid.watching.estimate.moment import Moment, Quantity, Unlike
 from exoid.watching.estimate.online import at_begin, init, replay, segment_of
-from exoid.watching.estimate.other_limb import other_limb
+from exoid.watching.estimate.other_limb import OtherLimb, other_limb, strange_leg
 
 EVERY = 0.1  # s of the stream between two moments
 TOGETHER = 256  # samples that are handed over at once, at most
@@ -47,8 +47,10 @@ class Estimator:
 
     def __init__(self, expected: ExpectedLeg, model: Model, *, loaded: bool = False):
         self.expected, self.model = expected, model
-        self.may_be_other = not loaded  # what a mass tells is told of a whole leg
-        self.other = False  # is it no whole leg?
+        self.loaded = loaded  # what a mass tells is told of a whole leg
+        self.asked = False  # was a movement that strayed asked whether it is of another limb?
+        self.unlike: Unlike | None = None  # the leg that its body's tables expect
+        self.marks: list[float] = []  # s, where the records of movements began
         self.belief = init(expected, model)
         self.mark: float | None = None  # number of the last moment
         self.drops = 0
@@ -73,6 +75,7 @@ class Estimator:
             yield from self.absorbed(rows)
             if part[-1].begins:
                 self.belief = at_begin(self.belief, self.model)
+                self.marks.append(part[-1].time)
 
     def absorbed(self, rows: Rows) -> Iterator[Moment | Drop | LeftOut]:
         """The rows up to the first that ends a drop, then the others."""
@@ -111,13 +114,16 @@ class Estimator:
         that swung on, and followed as what it is from then on.
         """
         failed = self.strays.stand.trust == Trust.UNEXPLAINED
-        if self.drops or not (failed and self.may_be_other):
+        if self.drops or self.asked or self.loaded or not failed:
             return False
-        self.may_be_other = False
-        if (found := other_limb(self.expected, self.model, rows, begun)) is None:
-            return False
-        self.belief, self.other = found[0], True
-        self.strays.follow(found[1])
+        self.asked = True
+        found = other_limb(self.expected, self.model, rows, begun, self.marks)
+        return found is not None and self.becomes(found)
+
+    def becomes(self, limb: OtherLimb) -> bool:
+        """From here on it is followed as the limb that it is."""
+        self.belief, self.unlike = limb.belief, limb.unlike
+        self.strays.follow(limb.said)
         return True
 
     def moments(self, rows: Rows, outlook: Outlook) -> Iterator[Moment]:
@@ -142,20 +148,30 @@ class Estimator:
             as_loaded=ratios,
             others=self.others,
             begun=float(outlook.begun[at]),
-            other_limb=self.other,
+            unlike=self.unlike,
         )
 
     def ended(self, row: Row, outlook: Outlook, at: int) -> Iterator[Drop]:
         """The number of drops has changed: one has ended, or the leg is another one."""
         before, self.drops = self.drops, int(outlook.drops[at])
+        every = np.concatenate(self.rows)
+        if self.drops == before + 1 and (found := self.strange(every, outlook, at)) is not None:
+            self.becomes(found)
+            outlook, at = found.said, -1
         self.others = told_of(self.belief, self.model, torque=self.torque)
         if self.drops != before + 1:
             return
         begun, end = float(outlook.begun[at]), float(outlook.ended[at])
-        every = np.concatenate(self.rows)
         segment = segment_of(Sample(*every.T), begun, end)
         moment = replace(self.moment(row, outlook, at), others=self.others)
         yield Drop(self.drops, segment, moment)
+
+    def strange(self, rows: Rows, outlook: Outlook, at: int) -> OtherLimb | None:
+        """The leg of the drops until now where it is none of its body's; asked until it is."""
+        if self.loaded or self.unlike is not None:
+            return None
+        told = self.moment(rows[-1], outlook, at)
+        return strange_leg(self.expected, self.model, rows, self.marks, told)
 
 
 def parts_of(readings: Sequence[Reading]) -> Iterator[Sequence[Reading]]:

@@ -20,6 +20,15 @@ class Quantity:
 
 
 @dataclass(frozen=True)
+class Unlike:
+    """J / (m l) of a limb by its motion, and what is expected of its body [m]."""
+
+    length: float
+    expected: float
+    scatter: float
+
+
+@dataclass(frozen=True)
 class Moment:
     """Motion, phase and trust, and the quantities, of which none is told that cannot be believed.
 
@@ -37,7 +46,7 @@ class Moment:
     as_loaded: tuple[Quantity, ...]
     others: tuple[Quantity, ...] = ()
     begun: float = -inf  # s, when the last free movement began, whether it counted or not
-    other_limb: bool = False  # is m l g / J none of a whole leg?
+    unlike: Unlike | None = None  # where it moves as no leg of its body does
 
     @property
     def believed(self) -> bool:

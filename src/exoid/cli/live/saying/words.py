@@ -32,16 +32,7 @@ BY_HAND = (
     "slowly. exoid fit of a recording (-o) leaves such a fall out; exoid diagnose tells any other "
     "cause"
 )
-OTHER_LIMB = (
-    "gravity over inertia is that of no whole leg: it is followed as another limb, as a stump. Of "
-    "a whole leg, check unit and scale of angle and time"
-)
 OPEN = (2, ENOUGH)  # trusts that would say good, or enough, while a goal is open
-ALLOWANCE = (
-    "± holds what no drop tells: where a foot puts the centre of mass (give "
-    "thigh_angle_uncertainty_deg with it), and a clock that may be what encoder and gyro disagree "
-    "by (clock_uncertainty)"
-)
 IF_SLACK = "{}, where the knee's spring is slack elsewhere than at full extension"
 DIGITS = 2  # of an error
 
@@ -200,14 +191,3 @@ def unseen(board: "Board") -> str:
     if board.ended or board.moment is None or int(board.moment.trust) != WAITING:
         return ""
     return LED.format(board.moment.begun) if isfinite(board.moment.begun) else UNSEEN
-
-
-def other_limb(board: "Board") -> str:
-    """That it is no whole leg."""
-    other = board.moment is not None and board.moment.other_limb and quantities(board)
-    return OTHER_LIMB if other else ""
-
-
-def allowance(board: "Board") -> str:
-    """What is in the errors beside what drops tell."""
-    return ALLOWANCE if quantities(board) and board.ended else ""

@@ -6,8 +6,8 @@ from math import exp, hypot, sqrt
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.model.systematics import OF_THE_MASS
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.result.remarks.anatomy_remarks import STRANGE
 from exoid.fitting.solve.problem import Problem
+from exoid.physics.anatomy.expected import STRANGE
 
 MEASURE = (
     "Measure from the axis of the knee to the middle of the mass, and give added_mass_distance_m "

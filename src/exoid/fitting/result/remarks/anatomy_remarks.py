@@ -4,7 +4,7 @@ import numpy as np
 
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.result.remarks.leaning import Leaning
-from exoid.physics.anatomy.expected import ExpectedLeg
+from exoid.physics.anatomy.expected import STRANGE, ExpectedLeg
 from exoid.physics.leg import GRAVITY
 
 LEANING = "m, J, l, d and c lean on anatomy, and are worth nothing where it is not this leg's"
@@ -18,7 +18,6 @@ BENT = (
     "an ordinary leg: 'exoid fit --with stiffness_rest_angle' and 'exoid diagnose' ask where it is "
     "slack, the hanging angle without and with a known mass tells best. Else"
 )
-STRANGE = 3.29  # standard deviations from what anatomy expects: one leg in a thousand
 
 
 def of_anatomy(belief: Belief, gravity: float, slack: Leaning | None) -> list[str]:

@@ -5,7 +5,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from exoid.fitting.result.remarks.anatomy_remarks import STRANGE
+from exoid.physics.anatomy.expected import STRANGE
 
 # Not the result's own types, which stand above: an estimate has value, standard_error, expected and
 # so on, a segment kind and added_mass.

@@ -4,12 +4,7 @@ import numpy as np
 
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.result.fit_result import Estimate
-from exoid.fitting.result.remarks.anatomy_remarks import (
-    STRANGE,
-    at_rate,
-    from_anatomy,
-    unlike_anatomy,
-)
+from exoid.fitting.result.remarks.anatomy_remarks import at_rate, from_anatomy, unlike_anatomy
 from exoid.fitting.result.remarks.stopped_remarks import of_stopped
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.evidence.prediction import Proof
@@ -18,6 +13,7 @@ from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.screen.optimise import FEWER_ROUNDS, FLOOR, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
+from exoid.physics.anatomy.expected import STRANGE
 from exoid.physics.term import SensorTerm
 from exoid.recordings.conventions.jumps import jumping
 from exoid.recordings.signal.noise import of_hidden_noise
