@@ -20,6 +20,8 @@ from exoid.watching.beside.movement import Movement
 from exoid.watching.beside.next_movement import Advice
 from exoid.watching.beside.refinement import Refined
 from exoid.watching.board import Board
+from exoid.watching.estimate.gyro_off import GyroOff
+from exoid.watching.estimate.left_out import STRAYED, LeftOut
 from exoid.watching.estimate.load import Mass
 from exoid.watching.estimate.moment import Moment, Quantity
 from exoid.watching.estimate.switch import Switch
@@ -80,6 +82,20 @@ def test_where_the_model_fails_the_advice_is_to_find_out_why():
     sure = board_of(Trust.GOOD)
     assert words.advice(sure).startswith("let it drop from")
     assert "agrees" in words.batch(sure)
+
+
+@pytest.mark.parametrize(
+    ("off", "said"),
+    [
+        (GyroOff(0.87, 0.0), "the gyro shows a rate 13 % less than the encoder's. Check"),
+        (GyroOff(1.0, 0.015), "the gyro shows the leg 15 ms later. Check"),
+        (None, "as where a hand lets go slowly or a muscle leads the leg"),
+    ],
+)
+def test_where_every_movement_strays_in_its_first_fall_a_gyro_is_named_or_both_left_open(off, said):
+    board = board_of(Trust.UNEXPLAINED)
+    board.movements = (LeftOut(1.9, 1.6, STRAYED, falling=True, gyro=off),)
+    assert said in words.advice(board)
 
 
 def test_where_another_drop_would_hardly_change_a_thing_none_is_asked_for():

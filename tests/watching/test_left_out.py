@@ -9,6 +9,7 @@ from exoid.online.model.trust import Phase, Trust
 from exoid.physics.leg import GRAVITY
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.watching.board import Board, Ended
+from exoid.watching.estimate.gyro_off import gyro_off
 from exoid.watching.estimate.left_out import STRAYED, TORN, LeftOut, is_falling
 from exoid.watching.estimate.leg import Leg, LegDrop
 from exoid.watching.estimate.load import Load
@@ -124,6 +125,38 @@ def test_the_drops_that_count_are_those_that_were_not_taken_back():
     assert [each.moment.begun for each in board.ended] == [2.0, 34.0]
     board.movements = (*board.movements, ended(1, 50.0))  # of another leg
     assert [each.moment.begun for each in board.ended] == [50.0]
+
+
+@pytest.mark.parametrize(("scale", "late"), [(0.87, 0), (1.0, 2)])
+def test_a_gyro_that_differs_from_the_encoder_is_named(person, scale, late):
+    """By 13 %, or by two samples: 20 ms."""
+    first = [
+        replace(
+            each,
+            raw_angular_velocity=scale
+            * np.concatenate([np.zeros(late), each.raw_angular_velocity])[: each.time.size],
+        )
+        for each in swings()
+    ]
+    moments, drops, left = followed(person, stream(*first))
+    assert moments[-1].trust is Trust.UNEXPLAINED
+    assert not drops
+    found = next(each.gyro for each in left if each.gyro is not None)
+    assert found.scale == pytest.approx(scale, abs=0.02)
+    assert found.late == pytest.approx(0.01 * late, abs=2e-3)
+
+
+@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("noise", [(8e-4, 3e-3), (5e-3, 0.02)])
+def test_sensors_that_agree_are_not_named_whatever_leads_the_leg(seed, noise):
+    """A muscle through cycles, for 3 s; none of 1080 such and of drops was in another simulator."""
+    random = np.random.default_rng(seed)
+    time, turning = np.arange(0.0, 3.0, 0.01), random.uniform(2.0, 6.0)
+    angle = -0.7 + 0.4 * np.cos(turning * time) + noise[0] * random.standard_normal(time.size)
+    rate = 0.03 - 0.4 * turning * np.sin(turning * time)
+    rows = np.zeros((time.size, 6))
+    rows[:, :3] = np.column_stack([time, angle, rate + noise[1] * random.standard_normal(300)])
+    assert gyro_off(rows) is None
 
 
 def test_a_hand_is_thought_of_where_every_movement_strays_in_its_first_fall():

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from exoid.watching.beside.goals import Goal
 from exoid.watching.beside.next_movement import Advice
 from exoid.watching.beside.refinement import Refined
+from exoid.watching.estimate.gyro_off import GyroOff
 from exoid.watching.estimate.left_out import LeftOut
 from exoid.watching.estimate.moment import Moment
 
@@ -70,8 +71,15 @@ class Board:
         return [each for each in self.movements if isinstance(each, LeftOut)]
 
     @property
+    def gyro(self) -> GyroOff | None:
+        """How the gyro differs from the encoder, where it did in a movement that strayed."""
+        return next((each.gyro for each in self.left_out if each.gyro is not None), None)
+
+    @property
     def falls_astray(self) -> bool:
-        """Did the leg stray in first falls alone? So it does where a hand lets go of it slowly."""
+        """Did the leg stray in first falls alone? So it does where a hand lets go of it slowly, or
+        a muscle leads it.
+        """
         return bool(self.left_out) and all(each.falling for each in self.left_out)
 
     def show(self, moment: Moment) -> None:

@@ -13,6 +13,7 @@ from exoid.online.outlook import Outlook
 from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.recordings.recording import Segment
+from exoid.watching.estimate.gyro_off import gyro_off
 from exoid.watching.estimate.known import RATIOS, told_of
 from exoid.watching.estimate.left_out import STRAYED, LeftOut, Strays
 from exoid.watching.estimate.moment import Moment, Quantity, Unlike
@@ -106,8 +107,10 @@ class Estimator:
             return
         every = np.concatenate(self.rows)
         for left in self.strays.found(every[:, 0], every[:, 1], outlook):
-            if not (left.why == STRAYED and self.is_other(every, left.begun)):
+            if left.why != STRAYED:
                 yield left
+            elif not self.is_other(every, left.begun):
+                yield replace(left, gyro=gyro_off(every[every[:, 0] >= left.begun]))
 
     def is_other(self, rows: Rows, begun: float) -> bool:
         """Is it no whole leg, of which nothing was known? It is asked once, of the first movement

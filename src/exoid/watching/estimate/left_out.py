@@ -9,6 +9,7 @@ from jaxtyping import Float, Int
 
 from exoid.online.model.trust import Phase, Trust
 from exoid.online.outlook import Outlook
+from exoid.watching.estimate.gyro_off import GyroOff
 
 TORN = "samples were lost in it"
 CUT = "its segment ended in it"
@@ -27,6 +28,7 @@ class LeftOut:
     begun: float  # s
     why: str
     falling: bool  # did it stray in its first fall, before the leg turned?
+    gyro: GyroOff | None = None  # that differs from the encoder, as far as that was seen by then
 
 
 class Stand(NamedTuple):

@@ -7,6 +7,7 @@ if TYPE_CHECKING:
     from exoid.watching.beside.goals import Goal
     from exoid.watching.beside.next_movement import Advice
     from exoid.watching.board import Board
+    from exoid.watching.estimate.gyro_off import GyroOff
     from exoid.watching.estimate.moment import Quantity
 
 DOING = ("held, or nobody knows", "at rest", "moving freely", "at rest, or caught")
@@ -28,9 +29,13 @@ DIAGNOSE = (
     "exoid live --with TERM"
 )
 BY_HAND = (
-    "let go of it at once: every movement strayed in its first fall, as where a hand lets go "
-    "slowly. exoid fit of a recording (-o) leaves such a fall out; exoid diagnose tells any other "
-    "cause"
+    "every movement strayed in its first fall, as where a hand lets go slowly or a muscle leads "
+    "the leg, be it through cycles: let go of it at once, and have it relaxed. exoid fit of a "
+    "recording (-o) leaves such a fall out; exoid diagnose tells any other cause"
+)
+BY_GYRO = (
+    "gyro and encoder do not show one movement: the gyro shows {}. Check gain and filter of the "
+    "gyro, and gain and times of the encoder; exoid fit of a recording (-o) tells what still holds"
 )
 OPEN = (2, ENOUGH)  # trusts that would say good, or enough, while a goal is open
 IF_SLACK = "{}, where the knee's spring is slack elsewhere than at full extension"
@@ -130,9 +135,20 @@ def enough(board: "Board") -> bool:
 def next_movement(board: "Board") -> str:
     """What to do, while there is something left to do."""
     if unexplained(board):
-        return BY_HAND if board.falls_astray else DIAGNOSE
+        by_hand = BY_HAND if board.falls_astray else DIAGNOSE
+        return by_hand if board.gyro is None else by_gyro(board.gyro)
     found = standing(board)
     return "" if found is None or enough(board) else found.words
+
+
+def by_gyro(off: "GyroOff") -> str:
+    """How it differs from the encoder."""
+    percent = 100 * (off.scale - 1)
+    more = "more" if percent > 0 else "less"
+    scaled = f"a rate {abs(percent):.2g} % {more} than the encoder's" if percent else ""
+    when = "later" if off.late > 0 else "earlier"
+    late = f"the leg {1000 * abs(off.late):.2g} ms {when}" if off.late else ""
+    return BY_GYRO.format(" and ".join(filter(None, [scaled, late])))
 
 
 def standing(board: "Board") -> "Advice | None":
