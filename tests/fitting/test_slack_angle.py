@@ -112,6 +112,23 @@ def test_a_fit_whose_residual_shows_it_says_what_it_would_change():
     assert noted(shown)
 
 
+@pytest.mark.parametrize("tone", [-4.0, -3.0])
+def test_a_constant_torque_that_no_slack_spring_of_the_fit_makes_is_in_if_slack(tone):
+    """It softens the fit's spring, and so what such a spring would make of the ratios: by that the
+    fit said nothing, 5 of its errors off. [1/s^2], over J: 15 % of m l g, as of a muscle; the two
+    drops are those of a spring that is slack where its torque is as large.
+    """
+    leg = (26.8, 2.6, 0.88)
+    made = [drop(leg, start=at, slack=tone / leg[1]) for at in (-0.35, -0.8)]
+    found = fit(recording(*made), multistart=2)
+    for name, true in zip(LEANING, leg, strict=False):
+        each = found.ratios[name]
+        assert abs(each.value - true) > 3 * each.standard_error
+        assert abs(each.value - true) < 2.5 * np.hypot(each.standard_error, each.if_slack or 0.0)
+    (said,) = [each for each in found.notes if "no constant torque acts" in each]
+    assert "% of m l g towards flexion" in said
+
+
 def test_a_rig_and_a_leg_without_a_spring_lean_on_none():
     rig = fitted(noise=LOUD, subject=Subject(kind="rig"))
     assert leans(rig) is None

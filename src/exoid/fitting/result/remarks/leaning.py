@@ -6,6 +6,8 @@ from typing import Annotated
 import numpy as np
 
 BENT = np.radians(30.0)  # of flexion, where a spring may well be slack: Riener & Edrich have 61 deg
+BEYOND = 1.5  # times what one makes of the ratios that is slack at BENT
+CLEAR = 4.0  # errors of a constant torque from which on it is worth a sentence
 LEANING = ("gravity_over_inertia", "stiffness_over_inertia")
 
 
@@ -18,11 +20,20 @@ class Leaning:
     seen: Annotated[float, "rad"]  # the rest angle that the recording shows
     told: Annotated[float, "rad"]  # the error with which it does so
     shown: bool  # is that clear, beside all else that is missing?
+    push: float = 0.0  # the constant torque that makes it, over m l g
 
     @property
     def of_ratios(self) -> np.ndarray:
         """Of the `LEANING` [1/s^2]."""
         return np.array([self.off[name] for name in LEANING])
+
+    @property
+    def pushed(self) -> bool:
+        """Is something missing that looks like a constant torque, well beyond that of a spring as
+        stiff as the fit's that is slack at BENT?
+        """
+        clear = abs(self.seen) > CLEAR * self.told
+        return bool(clear and self.usual > BEYOND and not self.shown)
 
     @property
     def spread(self) -> dict[str, float]:

@@ -43,7 +43,9 @@ def left_open(
     found = leaning(problem, ended, free)
     if found is None:
         return None
-    off = [found.spread[name] for name in LEANING] if found.shown else found.of_ratios
+    # A torque that softens the fit's spring leaves one that is slack at BENT little of its own.
+    by_spread = found.shown or found.pushed
+    off = [found.spread[name] for name in LEANING] if by_spread else found.of_ratios
     least = np.array(errors)
     if found.shown:
         shared = ended.point.shared
@@ -56,6 +58,8 @@ def slack_angle_remarks(found: Leaning | None) -> list[str]:
     """What of a leg's numbers is `left_open`."""
     if found is None:
         return []
+    if found.pushed:
+        return [pushed(found)]
     where = seen(found) if found.shown else bent(found)
     return [
         "m l g / J and c / J, and what goes with them, hold for a spring that is slack at full "
@@ -73,6 +77,21 @@ def bent(found: Leaning) -> str:
     )
     where = f"{np.degrees(BENT):.0f} deg of flexion"
     return f"of a leg whose spring is slack at {where} m l g / J is {first}, c / J {second}"
+
+
+def pushed(found: Leaning) -> str:
+    """That a constant torque may act, and how far off the ratios are then."""
+    way = "flexion" if found.push < 0 else "extension"
+    gravity, stiffness = (found.spread[name] for name in LEANING)
+    return (
+        "m l g / J and c / J, and what goes with them, hold for a leg on which no constant torque "
+        f"acts: a part of what the model misses looks like one of {abs(found.push):.0%} of m l g "
+        f"towards {way}, as of a muscle that pulls all the time, a spring that is slack in another "
+        "position, or an encoder's zero beside a tilted seat. No drop tells these apart, and the "
+        "fit takes a spring and a zero of its own for them: 'if slack' beside ± holds that, which "
+        f"leaves m l g / J open by ± {gravity:.2g} 1/s^2, c / J by ± {stiffness:.2g} 1/s^2. The "
+        "hanging angle without and with a known mass tells such a torque best."
+    )
 
 
 def seen(found: Leaning) -> str:
@@ -103,6 +122,7 @@ def leaning(problem: Problem, ended: SearchResult, free: np.ndarray) -> Leaning 
         seen=found / stiffness,
         told=error / stiffness,
         shown=bool(error / stiffness < TOLD) and ended.disturbance.cause is None,
+        push=found / float(ended.point.shared.gravity),
     )
 
 
