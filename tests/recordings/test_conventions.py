@@ -63,6 +63,7 @@ MISTAKES = {  # name: what was done, and what the user is told, with and without
         'flip="angle"',  # a child's is found in two steps: its gyro first
     ),
     "zero of an absolute encoder": (scaled(ANGLES, 1.0, np.radians(85)), "or angle_zero_deg in"),
+    "where no leg hangs": (scaled(ANGLES, 1.0, -1.2), 'thigh_angle_deg.* gravity = "none"'),
     "straight called 180 deg": (scaled(ANGLES, 1.0, np.pi), "angle_zero_deg = 180"),
     "radians called degrees": (scaled(ANGLES, np.pi / 180), "_rad in place of _deg"),
 }

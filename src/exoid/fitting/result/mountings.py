@@ -26,7 +26,10 @@ FIELDS = dict(zip(("log_distance", "log_added", "extent"), list(MOUNTING)[:3], s
 STEP = 1e-6  # of a coordinate, for the slope of what is told
 BEYOND = 8.0  # standard deviations of what is declared, from which on nobody believes it
 OF_THE_REST = ("zero", "tilt")  # they decide where a leg comes to rest
-LIKE_FRICTION = ", as it does where dry friction lets a leg come to rest beside its middle"
+LIKE_REST = (
+    ", as it does where dry friction lets a leg come to rest beside its middle, or where the "
+    "encoder or the gyro drifts"
+)
 TOLD = 0.7  # of its prior's error: below it the recording has told something
 
 
@@ -66,6 +69,8 @@ def beyond_belief(problem: Problem, ended: SearchResult) -> str | None:
     """Which recording the fit takes for what nobody declares, if it does."""
     furthest, why = BEYOND, None
     for field in problem.owned:
+        if field == "zero" and "gravity" in problem.absent:
+            continue  # it is where the spring of a rig rests, which may be anywhere
         values, deviations = getattr(ended.point.mounting, field), problem.deviation_of(field)
         for entry in problem.estimated(field):
             away = abs(float(values[entry] / deviations[entry]))
@@ -80,7 +85,7 @@ def beyond_belief(problem: Problem, ended: SearchResult) -> str | None:
 def off(field: str, value: float, usual: float) -> str:
     """What the fit takes it for, in the units of a coordinate."""
     said = f"it takes {WORDS[FIELDS[field]]} to be off by {told_as(field, value)}"
-    alike = LIKE_FRICTION if field in OF_THE_REST else ""
+    alike = LIKE_REST if field in OF_THE_REST else ""
     return f"{said}, where {told_as(field, usual)} is usual{alike}"
 
 

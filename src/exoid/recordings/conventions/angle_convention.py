@@ -29,6 +29,10 @@ EXPLAINED = 0.6  # of the acceleration, from where on a balance is one
 SHARP = 0.3  # rad, the error of a balance that tells something
 TYPICAL = -1.3  # rad, where a leg is in balance
 ALIKE = 0.2  # rad, within which two ways of counting make a leg of it equally well
+ON_ITS_SIDE = (
+    "Does the leg lie on its side, so that gravity does not turn it? Then read it as a rig without "
+    'gravity: [subject] kind = "rig" and gravity = "none".'
+)
 READINGS = (  # how a file may count: the sign, what is added to make it exoid's, its name
     (1.0, 0.0, "0 the extended knee and extension positive", "plain"),
     (-1.0, 0.0, "flexion positive", "flip"),
@@ -160,7 +164,10 @@ def mended(wrong: list[Swing], same: bool, told: str) -> str:
         if all(one.counted(*reading[:2]).likely for one in wrong)
     }
     if not found:
-        return 'Is its zero elsewhere? Then say zero="unknown", or angle_zero_deg in [sensors].'
+        return (
+            'Is its zero elsewhere? Then say zero="unknown", or angle_zero_deg in [sensors]. Is '
+            f"the thigh not level? Then give thigh_angle_deg in [protocol]. {ON_ITS_SIDE}"
+        )
     strange = {each: sum(one.strange for one in found[each]) / len(wrong) for each in found}
     best = [each for each in found if strange[each] < min(strange.values()) + ALIKE]
     names = ", or ".join(name for *_, name, _ in best)

@@ -24,6 +24,7 @@ from exoid.physics.sensing.butterworth_filter import ButterworthFilter
 from exoid.physics.sensing.first_order_filter import FirstOrderFilter
 from exoid.physics.sensing.sensor_skew import SensorSkew
 from exoid.physics.term import name_of
+from exoid.recordings.conventions.angle_convention import ON_ITS_SIDE
 
 UPWARDS = (
     "gravity comes out upwards (m l g / J is negative): no leg falls like this. The angle must be "
@@ -308,7 +309,8 @@ def of_bounds(problem: Problem, at_bound: set[str], advice: str) -> list[str]:
             )
     for rule in RULES:
         if rule in at_bound:
-            said.append(f"the fit lies on the limit {RULES[rule]} ({rule}).")
+            weak = f" Gravity turns no leg that hangs so little. {ON_ITS_SIDE}" * (rule == REACH)
+            said.append(f"the fit lies on the limit {RULES[rule]} ({rule}).{weak}")
     return said
 
 
