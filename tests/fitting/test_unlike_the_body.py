@@ -229,6 +229,24 @@ def test_a_distance_that_does_not_agree_with_the_motion_leaves_nothing_but_ratio
     assert abs(ratio.value - 11.0 / 0.41) < 3 * ratio.standard_error
 
 
+def test_a_mass_that_hangs_four_centimetres_elsewhere_is_told_and_held_by_the_errors():
+    """Of an extent a little beyond what is believed it would move alike: by that alone J was told
+    6 errors off, without a word.
+    """
+    found = fit(with_mass(at=0.395, gyration=0.0, declared=0.36), multistart=4)
+    (told,) = (note for note in found.notes if "hardly agrees with how the leg moves" in note)
+    assert "± of J, and of what goes with it, holds" in told
+    inertia, moment = found.parameters["inertia"], found.gravity_moment
+    assert moment is not None
+    for each, true in ((inertia, 0.41), (moment, 11.0)):
+        assert each.value is not None
+        assert each.standard_error is not None
+        assert abs(each.value - true) > 0.05 * true
+        assert abs(each.value - true) < 3 * each.standard_error
+    assert inertia.limited_by["added_mass_distance"] > 0.8
+    assert any("the weight of the added mass to 0.5 %" in note for note in found.notes)
+
+
 @pytest.mark.parametrize("distance", [0.296, 0.292])
 def test_a_mass_that_acts_elsewhere_is_said_to_be_where_it_is_not_declared(distance):
     """Its distance and its extent may go together so that it swings just as declared."""

@@ -35,6 +35,8 @@ SUSPECTED = 0.6  # of that disagreement: each of three may hold all of it, or a 
 FARTHEST = 0.05  # of a rate: a polled loop, or a nominal rate that was taken for the true one
 WEIGHED = 5e-3  # of the added mass: a kitchen scale
 PLACED = 5e-3  # m, its distance, by tape
+MISREAD = 0.04  # m, the same where the tape was read wrong, or held to another place,
+SELDOM = 0.1  # of all distances
 GYRATION = 0.05  # m, half-normal radius of gyration of weights and cuffs about their own centre
 # Of the greatest torque of a recording: 1 % of a range that is five times what is used of it, and
 # the weight of a lever that nobody took off.

@@ -3,9 +3,12 @@
 A normal distribution of what is usual would bend the leg to such a recording. Where the data speak
 clearly against it, the width of that recording's own distribution follows them (empirical Bayes):
 the seat's tilt by its marginal likelihood; and where encoder and gyro disagree in scale, which may
-be the gyro's fault, the encoder's gain or the clock's, the clock's by that disagreement.
+be the gyro's fault, the encoder's gain or the clock's, the clock's by that disagreement. Of a foot
+that slants the leg, and of a mass that hangs elsewhere, data hardly speak: errors hold what either
+would make of the leg, by the odds that it is there.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,7 +17,16 @@ from exoid.fitting.misfit.condensed import Neighbourhood
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import declared_slopes
 from exoid.fitting.model.coordinates import TYPICAL, places
-from exoid.fitting.model.systematics import DISAGREE, FARTHEST, FOOT, SLANT, SUSPECTED, sharing
+from exoid.fitting.model.systematics import (
+    DISAGREE,
+    FARTHEST,
+    FOOT,
+    MISREAD,
+    SELDOM,
+    SLANT,
+    SUSPECTED,
+    sharing,
+)
 from exoid.fitting.model.term_parameters import parameters_of
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.multistart.weight_by_kind import likelihood
@@ -30,9 +42,21 @@ BEYOND = 2.0  # times it the gyro's own may be
 VAGUE = 1e-9  # of every information, and of one typical step, that is known of everything
 
 
+@dataclass(frozen=True)
+class Rare:
+    """What some recordings own together, and in this `share` of all cases is seldom as declared:
+    then with this standard deviation, in its own unit.
+    """
+
+    name: str  # of a `Mounting`
+    entries: list[int]  # recordings
+    deviation: float
+    share: float
+
+
 @dataclass(frozen=True, eq=False)
-class Tilt:
-    """A tilt and the variance with which all but its prior tells it [rad, rad^2]."""
+class Seen:
+    """A value, and the variance with which all but its prior tells it, in its unit."""
 
     value: float
     variance: float
@@ -71,13 +95,35 @@ def slanted(problem: Problem, ended: SearchResult) -> dict[str, float]:
 
     Data that see this little do not ask for it, and take it for an encoder's zero.
     """
+    each = [Rare("tilt", seat, SLANT, FOOT) for seat in may_be_slanted(problem)]
+    return off_by_odds(problem, ended, each)
+
+
+def hung_elsewhere(problem: Problem, ended: SearchResult) -> dict[str, float]:
+    """How far every quantity may be off, by the odds that an added mass hangs by centimetres from
+    where it is said to: a tape was read wrong, or held to its end in place of its middle.
+
+    A mass of another extent moves alike, and by the tape's millimetres alone a fit takes it for
+    that. Nothing where a sidecar says how well the distance is known.
+    """
+    each = []
+    for entries in together(problem, "log_distance", declared_as="distance"):
+        loads = [one for one in problem.recordings[entries[0]] if one.added_mass > 0]
+        if not any(one.unplaced for one in loads):
+            placed = float(np.mean([one.added_mass_distance for one in loads]))
+            each.append(Rare("log_distance", entries, MISREAD / placed, SELDOM))
+    return off_by_odds(problem, ended, each)
+
+
+def off_by_odds(problem: Problem, ended: SearchResult, each: Sequence[Rare]) -> dict[str, float]:
+    """How far every quantity may be off by these, as a standard deviation."""
     variance = np.zeros(len(problem.quantities))
     total = ended.local.data + ended.local.prior
-    for seat in may_be_slanted(problem):
-        seen = found(problem, ended.best, 0, seat, total)
-        gain = seen.likelihood(SLANT) - seen.likelihood(problem.deviation_of("tilt")[seat[0]])
-        odds = 1 / (1 + np.exp(-gain) * (1 / FOOT - 1))
-        variance += odds * off(problem, ended, seat, total)
+    for one in each:
+        seen, usual = found(problem, ended.best, 0, one, total), usual_of(problem, one)
+        gain = seen.likelihood(one.deviation) - seen.likelihood(usual)
+        odds = 1 / (1 + np.exp(-gain) * (1 / one.share - 1))
+        variance += odds * off(problem, ended, one, total)
     return dict(zip(problem.quantities, np.sqrt(variance), strict=True))
 
 
@@ -89,17 +135,18 @@ def may_be_slanted(problem: Problem) -> list[list[int]]:
     return [seat for seat in seats(problem) if level[seat[0]] < SLANT]
 
 
-def off(problem: Problem, ended: SearchResult, seat: list[int], total: np.ndarray) -> np.ndarray:
-    """The mean square distance of every quantity from what it is, were the seat so much less sure:
+def off(problem: Problem, ended: SearchResult, one: Rare, total: np.ndarray) -> np.ndarray:
+    """The mean square distance of every quantity from what it is, were this so much less sure:
     what it is then is off, and less sure.
     """
-    place, unit = places_of(ended.best, "tilt", seat), float(TYPICAL.mounting.tilt)
-    known = unit**2 * np.linalg.inv(believed(problem, seat))
-    less = known * ((problem.deviation_of("tilt")[seat[0]] / SLANT) ** 2 - 1)
+    place, unit = places_of(ended.best, one.name, one.entries), unit_of(one)
+    known = unit**2 * np.linalg.inv(believed(problem, one))
+    less = known * ((usual_of(problem, one) / one.deviation) ** 2 - 1)
     open_ = total.copy()
     open_[np.ix_(place, place)] += less
     after, slopes = variances(open_), ended.local.quantities
-    step = -after[:, place] @ less @ (ended.point.mounting.tilt[seat] / unit)
+    values = getattr(ended.point.mounting, one.name)[one.entries]
+    step = -after[:, place] @ less @ (values / unit)
     spread = np.einsum("qi,ij,qj->q", slopes, after - variances(total), slopes)
     return (slopes @ step) ** 2 + np.maximum(spread, 0.0)
 
@@ -113,7 +160,8 @@ def tilted(problem: Problem, free: Solved, row: int) -> Problem | None:
     deviation = problem.deviation_of("tilt").copy()
     chosen = False
     for seat in seats(problem):
-        each, usual = found(problem, free, row, seat, total), deviation[seat[0]]
+        one = Rare("tilt", seat, STEEPEST, FOOT)
+        each, usual = found(problem, free, row, one, total), deviation[seat[0]]
         wide = min(np.sqrt(max(each.value**2 - each.variance, 0.0)), STEEPEST)
         if wide > usual and each.likelihood(wide) - each.likelihood(usual) > CONVINCING:
             deviation[seat], chosen = wide, True
@@ -126,36 +174,52 @@ def white(problem: Problem, at: Solved, row: int) -> np.ndarray:
     return told_at(problem, at, row) / noise
 
 
-def found(problem: Problem, at: Solved, row: int, seat: list[int], total: np.ndarray) -> Tilt:
-    """The tilt of a seat as all but its own prior tells it: what its recordings have in common.
+def found(problem: Problem, at: Solved, row: int, one: Rare, total: np.ndarray) -> Seen:
+    """What all but its own prior tells of it: what its recordings have in common.
 
-    Of tilts with the prior covariance C, of which c is that with what they have in common, this is
+    Of values with the prior covariance C, of which c is that with what they have in common, this is
     w = c C^-1 of them, and of the variance that it has w c is told by them.
     """
-    place, unit = places_of(at, "tilt", seat), float(TYPICAL.mounting.tilt)
-    covariance = believed(problem, seat)
+    place, unit = places_of(at, one.name, one.entries), unit_of(one)
+    covariance = believed(problem, one)
     whole = covariance.min()
-    weights = np.linalg.solve(covariance, np.full(len(seat), whole))
+    weights = np.linalg.solve(covariance, np.full(len(one.entries), whole))
     inside = variances(total)[np.ix_(place, place)] * unit**2
     told = 1 / float(weights @ inside @ weights + whole * (1 - weights.sum()))
     alone = max(told - 1 / whole, 1e-9 * told)
-    value = float(weights @ at.coordinates.mounting.tilt[row, seat])
-    return Tilt(value * told / alone, 1 / alone)
+    value = float(weights @ getattr(at.coordinates.mounting, one.name)[row, one.entries])
+    return Seen(value * told / alone, 1 / alone)
 
 
-def believed(problem: Problem, seat: list[int]) -> np.ndarray:
-    """The covariance with which the tilts of these recordings are believed [rad^2]."""
-    alike, deviation = problem.belief.prior.in_common, problem.deviation_of("tilt")[seat]
+def believed(problem: Problem, one: Rare) -> np.ndarray:
+    """The covariance with which these are believed, in the square of their unit."""
+    alike, deviation = problem.belief.prior.in_common, problem.deviation_of(one.name)[one.entries]
     assert alike is not None  # `pose` gives one
-    correlation = np.linalg.inv(alike.tilt.T @ alike.tilt)[np.ix_(seat, seat)]
+    own = getattr(alike, one.name)
+    correlation = np.linalg.inv(own.T @ own)[np.ix_(one.entries, one.entries)]
     return correlation * np.outer(deviation, deviation)
+
+
+def usual_of(problem: Problem, one: Rare) -> float:
+    """Its standard deviation where it is as declared."""
+    return float(problem.deviation_of(one.name)[one.entries[0]])
+
+
+def unit_of(one: Rare) -> float:
+    """That of its coordinate."""
+    return float(getattr(TYPICAL.mounting, one.name))
 
 
 def seats(problem: Problem) -> list[list[int]]:
     """The recordings of which no tilt is declared, in groups, each on one seat."""
-    alike, free = problem.belief.prior.in_common, undeclared(problem, "tilt")
+    return together(problem, "tilt")
+
+
+def together(problem: Problem, name: str, declared_as: str | None = None) -> list[list[int]]:
+    """The recordings that do not declare this, in groups that have it in common."""
+    alike, free = problem.belief.prior.in_common, undeclared(problem, name, declared_as or name)
     assert alike is not None  # `pose` gives one
-    return [seat for seat in sharing(alike.tilt) if seat[0] in free]
+    return [each for each in sharing(getattr(alike, name)) if each[0] in free]
 
 
 def variances(information: np.ndarray) -> np.ndarray:
@@ -203,10 +267,10 @@ def gyro_scale(
     return 0.0, gradient
 
 
-def undeclared(problem: Problem, name: str) -> list[int]:
+def undeclared(problem: Problem, name: str, declared_as: str | None = None) -> list[int]:
     """The recordings of which this is an unknown that they do not declare."""
-    first = [own[0] for own in problem.recordings]
-    return [n for n in problem.estimated(name) if name not in first[n].systematics.declared]
+    first, own = [each[0] for each in problem.recordings], declared_as or name
+    return [n for n in problem.estimated(name) if own not in first[n].systematics.declared]
 
 
 def places_of(at: Solved, name: str, entries: list[int]) -> list[int]:

@@ -15,7 +15,7 @@ from exoid.fitting.model.coordinates import (
     with_inertia,
 )
 from exoid.fitting.multistart.at_odds import at_odds
-from exoid.fitting.multistart.gross_errors import slanted
+from exoid.fitting.multistart.gross_errors import hung_elsewhere, slanted
 from exoid.fitting.multistart.pulled_by_declared import led_astray
 from exoid.fitting.multistart.search_result import SAME_LOSS, SearchResult
 from exoid.fitting.result.agreement import astray, believed, of_the_rest
@@ -64,6 +64,7 @@ from exoid.fitting.solve.ask import around, finite, take
 from exoid.fitting.solve.problem import Problem
 from exoid.recordings.conventions.jumps import jumping
 
+DISTANCE = "added_mass_distance"  # as it is called outside
 UNFINISHED = "it was still moving when its steps ran out"
 # Of half a chi-square for a typical step of what is limited: where nothing tells a value, a search
 # may end on a limit that does not hold it back.
@@ -83,13 +84,18 @@ def describe(
     plain = estimate_ratios(basis, at_bound)
     odds, steps = at_odds(problem, ended), led_astray(problem, ended)
     beside, zeros = slanted(problem, ended), off_by_torque_zero(problem, ended)
+    elsewhere = hung_elsewhere(problem, ended)
     ratios = {
         name: each.widened(steps.get(name, 0.0), least=odds.get(name, 0.0))
         .widened(beside.get(name, 0.0), cause="tilt")
         .widened(zeros.get(name, 0.0), cause="torque_zero")
+        .widened(elsewhere.get(name, 0.0), cause=DISTANCE)
         for name, each in plain.items()
     }
-    parameters = estimate_leg(basis, ratios, at_bound)
+    parameters = {
+        name: each.widened(elsewhere[name], cause=DISTANCE)
+        for name, each in estimate_leg(basis, ratios, at_bound).items()
+    }
     inertia = parameters["inertia"]
     grown = {name: growth(plain[name], each, inertia) for name, each in ratios.items()}
     for name in ("damping", "stiffness"):
@@ -135,6 +141,8 @@ def describe(
     said = notes(told, basis, at_bound, slack)
     moment = estimate_moment(basis, told.ratios["gravity_over_inertia"], told.parameters["inertia"])
     moment = moment.widened(grown["gravity_over_inertia"])
+    by_distance = elsewhere["inertia"] * (ratios["gravity_over_inertia"].value or 0.0)
+    moment = moment.widened(by_distance, cause=DISTANCE)
     return with_slack(replace(told, gravity_moment=moment, notes=said), slack)
 
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from exoid.fitting.data.movement import Movement
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.model.systematics import SLANT, zero_of_torque
 from exoid.fitting.multistart.search_result import SearchResult
@@ -47,7 +48,13 @@ GRANTED: tuple[tuple[str, str, Callable[[float], str]], ...] = (
     ("zero", "the encoder's zero", lambda rad: f"{np.degrees(rad):.2g} deg"),
     ("tilt", "the seat's level", lambda rad: f"{np.degrees(rad):.2g} deg"),
     ("gyro_scale", "the gyro's scale", lambda share: f"{100 * share:.2g} %"),
+    ("log_added", "the weight of the added mass", lambda share: f"{100 * share:.2g} %"),
+    ("distance", "its distance from the knee", lambda off: f"{1e3 * off:.2g} mm"),
     ("clock", "times", lambda share: f"{100 * share:.2g} %"),
+)
+BY_SCALE = (
+    " All that is in N m goes with the weight of the added mass, which no motion shows wrong, and "
+    "with its distance, which a mass of another extent hides."
 )
 AMISS = (
     " Times by a camera or a node without a crystal may be percents off: d / J goes with them, "
@@ -116,6 +123,13 @@ def limited_anew(result: FitResult, before: FitResult) -> FitResult:
     return replace(result, notes=[*notes[:first], *kept, *behind])
 
 
+def applies(name: str, one: Movement) -> bool:
+    """Has a movement what this is known of?"""
+    if name in ("log_added", "distance"):
+        return one.added_mass > 0 and not (name == "distance" and one.unplaced)
+    return name != "gyro_scale" or one.angular_velocity is not None
+
+
 def granted(problem: Problem) -> list[str]:
     """How well what no sidecar says is taken to be known, in one sentence."""
     zero = max(map(zero_of_torque, problem.recordings))
@@ -124,16 +138,16 @@ def granted(problem: Problem) -> list[str]:
         each = [
             getattr(one.systematics, name)
             for one in problem.movements
-            if name not in one.systematics.declared
-            and (name != "gyro_scale" or one.angular_velocity is not None)
+            if name not in one.systematics.declared and applies(name, one)
         ]
         foot = f" ({BY_A_FOOT})" if name == "tilt" and not problem.belief.rig else ""
         said += [f"{words} to {shown(max(each))}{foot}"] if each else []
     if not said:
         return []
+    weighed = BY_SCALE if any("added mass" in each for each in said) else ""
     return [
         f"± takes for granted, where no sidecar says better or worse: {', '.join(said)} (one "
-        f"standard deviation).{AMISS if said[-1].startswith('times') else ''}"
+        f"standard deviation).{AMISS if said[-1].startswith('times') else ''}{weighed}"
     ]
 
 

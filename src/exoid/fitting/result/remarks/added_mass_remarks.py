@@ -9,6 +9,12 @@ from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.anatomy.expected import STRANGE
 
+UNUSUAL = 2.0  # standard deviations: a mass that reaches beyond 10 cm, or hangs 1 cm elsewhere
+AGREES = {True: "does not agree with", False: "hardly agrees with"}
+HELD = (
+    " ± of J, and of what goes with it, holds that the distance may be centimetres off: by so much "
+    "more as it is more likely than such a mass."
+)
 MEASURE = (
     "Measure from the axis of the knee to the middle of the mass, and give added_mass_distance_m "
     "and added_mass_gyration_m."
@@ -34,29 +40,36 @@ def of_added_mass(problem: Problem, ended: SearchResult, field: str, entry: int)
 
 
 def misplaced(problem: Problem, ended: SearchResult) -> list[int]:
-    """The recordings whose mass moves as hardly any would that hangs as declared.
+    """The recordings whose mass moves as hardly any would that hangs as declared."""
+    return [entry for entry, far in away(problem, ended) if far > STRANGE]
+
+
+def away(problem: Problem, ended: SearchResult) -> list[tuple[int, float]]:
+    """By recording, how many standard deviations its mass is from what is declared or assumed.
 
     Motion shows one length of a mass, r + k^2 / r: r and k leave what is declared together.
     """
 
-    def away(entry: int) -> float:
+    def far(entry: int) -> float:
         found = found_of(problem, ended, entry)
         moved = [name for name in OF_THE_MASS if found(name)]
         return hypot(*(found(name) / problem.deviation_of(name)[entry] for name in moved))
 
-    return [entry for entry in range(len(problem.recordings)) if away(entry) > STRANGE]
+    return [(entry, far(entry)) for entry in range(len(problem.recordings))]
 
 
 def of_misplaced(problem: Problem, ended: SearchResult) -> list[str]:
-    """Where each of these masses would hang, and what to do."""
+    """Where each of the masses would hang that do not move as declared, and what to do."""
     said = []
-    for entry in misplaced(problem, ended):
-        each, whose = loaded(problem, entry)
-        said.append(
-            f"the declared distance of the added mass{whose} does not agree with how the leg "
-            f"moves: it acts as one at {acting(each, found_of(problem, ended, entry))}. "
-            f"{MISSED if ended.disturbance.cause else MEASURE} The ratios to J hold."
-        )
+    for entry, far in away(problem, ended):
+        if far > UNUSUAL:
+            each, whose = loaded(problem, entry)
+            acts = f"it acts as one at {acting(each, found_of(problem, ended, entry))}"
+            said.append(
+                f"the declared distance of the added mass{whose} {AGREES[far > STRANGE]} how the "
+                f"leg moves: {acts}. {MISSED if ended.disturbance.cause else MEASURE} The ratios "
+                f"to J hold.{'' if far > STRANGE else HELD}"
+            )
     return said
 
 
