@@ -14,6 +14,7 @@ from exoid.fitting.result.fit_result import Estimate
 from exoid.fitting.result.remarks.remarks import ASK_DIAGNOSE
 from exoid.mismatch.answer.diagnosis import Booked, Finding, NovelTorque, Parameter, Suspect
 from exoid.mismatch.sensors.agreement import SensorError
+from exoid.physics.sensing.clock_rate import ClockRate
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.report.tables.diagnosis import print_diagnosis, suspects
@@ -380,3 +381,12 @@ def test_the_best_candidate_is_listed_once_whichever_way_led_to_it(listed):
     again = [replace(best, evidence=4.9e3, chosen=False)] if listed else []
     each = ran_free(replace(found(), singles=[*again, other], pairs=[]))
     assert sorted(one.terms for one in each) == [best.terms, other.terms]
+
+
+def test_the_reason_of_a_gyros_scale_names_the_clock_that_looks_exactly_alike():
+    gyro = Finding("gyro_scale", GyroScale.title, GyroScale.explanation, GyroScale.reference)
+    one = replace(found(), findings=[gyro], equivalent=["gyro_scale", "clock_rate"])
+    said = sentences(one)["Reason"]
+    clock = f" Or ({ClockRate.title}): {ClockRate.explanation}"
+    assert said == GyroScale.explanation + clock
+    assert clock not in sentences(replace(one, equivalent=["gyro_scale"]))["Reason"]

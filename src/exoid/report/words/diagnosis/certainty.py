@@ -3,7 +3,7 @@
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.sensors.agreement import BIAS
 from exoid.physics.library import library
-from exoid.physics.term import name_of
+from exoid.physics.term import Term, name_of
 from exoid.report.words.text import causes_in_words
 
 SUSPECTS = 3  # that are named
@@ -26,10 +26,20 @@ def others(found: Diagnosis) -> list[str]:
 
 def twins(found: Diagnosis) -> dict[str, str]:
     """The titles of what looks exactly like one of the causes in every recording, by its name."""
+    return {name_of(term): term.title for term in exact_twins(found)}
+
+
+def exact_twins(found: Diagnosis) -> list[type[Term]]:
+    """What looks exactly like one of the causes in every recording."""
     mine = set(found.selected) - {BIAS}
-    known = {name_of(term): term.title for term in library()}
+    known = {name_of(term): term for term in library()}
     each = [exact_twin(mine, {*name.split(" + ")}) for name in found.equivalent]
-    return {name: known[name] for name in each if name}
+    return [known[name] for name in each if name]
+
+
+def explanations_alike(found: Diagnosis) -> list[str]:
+    """How each of them comes about."""
+    return [f"Or ({twin.title}): {twin.explanation}" for twin in exact_twins(found)]
 
 
 def exact_twin(mine: set[str], other: set[str]) -> str | None:

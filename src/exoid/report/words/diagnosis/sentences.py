@@ -10,7 +10,13 @@ from exoid.mismatch.sensors.agreement import SensorError
 from exoid.recordings.tables.sheet import listed
 from exoid.report.words.diagnosis.asserted import only_sensors, only_usual, parted, reason
 from exoid.report.words.diagnosis.cause import explanations, for_inertia, named, parameter
-from exoid.report.words.diagnosis.certainty import how_sure, suspected, trust, twins
+from exoid.report.words.diagnosis.certainty import (
+    explanations_alike,
+    how_sure,
+    suspected,
+    trust,
+    twins,
+)
 from exoid.report.words.diagnosis.leg import booked, doubted
 from exoid.report.words.diagnosis.located import located
 from exoid.report.words.diagnosis.remainder import remains
@@ -32,7 +38,8 @@ def sentences(found: Diagnosis) -> dict[str, str]:
         lines["How sure"] = BY_SENSORS if only_sensors(found) else how_sure(found)
         lines["Changed"] = booked(found)
         lines["Remains"] = remains(found)
-        lines["Reason"] = reason() if usual else " ".join(explanations(found))
+        why = [*explanations(found), *explanations_alike(found)]
+        lines["Reason"] = reason() if usual else " ".join(why)
     elif found.reasons:
         heading = "Note" if found.verdict == "none" else "Why"
         lines[heading] = "; ".join(found.reasons) + "."
