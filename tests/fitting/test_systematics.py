@@ -149,6 +149,20 @@ def test_a_wrong_rate_of_samples_is_within_the_errors(clock, scale):
     assert max(map(abs, off(result).values())) < WITHIN, off(result)
 
 
+@pytest.mark.parametrize("clock", [0.06, -0.09])
+def test_a_leg_as_anatomy_has_it_makes_nobody_surer_of_a_clock_that_is_far_off(clock):
+    """Its m l g / J as told is one that anatomy does not expect: that speaks against the clock as
+    declared, by which it is told, and made ± half as wide as 60 % of the disagreement (4 to 7
+    errors off). Of a clock that is off by x, m l g / J is by 2 x.
+    """
+    result = fit(drops(clock=clock, sensors=NOISE), multistart=2)  # J / (m l) = 0.363 m
+    assert max(map(abs, off(result).values())) < WITHIN, off(result)
+    gravity = result.ratios["gravity_over_inertia"]
+    least = 2 * 0.5 * abs(clock)
+    assert gravity.standard_error > least * gravity.value
+    assert gravity.standard_error < 3 * least * gravity.value
+
+
 def test_the_rate_of_a_clock_as_a_term_gives_back_the_leg():
     """By the gyro, as well as that is known: within 1.5 %. What legs are like tells a little."""
     result = fit(drops(clock=0.03, sensors=NOISE), multistart=2, terms=(ClockRate,))

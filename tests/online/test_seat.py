@@ -41,6 +41,13 @@ def test_a_clock_that_may_be_what_encoder_and_gyro_disagree_by_is_in_the_errors(
     assert off(trusting, leg).max() > 10
 
 
+@pytest.mark.parametrize("rate", [0.93, 1.1])
+def test_a_clock_that_is_far_off_is_in_the_errors_as_one_that_is_a_little(play, start, rate):
+    samples, leg, _ = play(4, 2)
+    _, said = online.replay(start, replace(samples, time=samples.time * rate))
+    assert off(said, leg).max() < 2.5
+
+
 def off(said, leg) -> np.ndarray:
     """How many of their errors the ratios are off."""
     return np.abs(said.ratios[-1] - [leg.gravity, leg.stiffness, leg.damping]) / said.errors[-1]

@@ -8,6 +8,7 @@ from typing import Annotated
 import numpy as np
 
 from exoid.fitting.model.mounting import Mounting
+from exoid.recordings.conventions.sensor_scales import GYRO_SCALE
 from exoid.recordings.recording import Recording
 
 OWNED = tuple(each.name for each in fields(Mounting))
@@ -27,12 +28,9 @@ ZERO_OF_RIG = radians(5.0)
 TILT = radians(0.2)  # a seat that looks level; one that is not is followed (`gross_errors.py`)
 SLANT = radians(2.5)  # the same of a leg whose centre of mass a foot puts beside its line
 FOOT = 0.5  # of all legs are taken for such
-GYRO_SCALE = 0.015  # LSM6DS3 data sheet: sensitivity within 1 %, and its change with temperature
 GYRO_BIAS = radians(5.0)  # rad/s; LSM6DS3: +-10 deg/s at zero rate
 CLOCK = 1e-4  # a quartz, cheap and warm; where encoder and gyro disagree, it may be the clock:
 DISAGREE = 5.0  # standard errors from which on they clearly disagree in scale
-SUSPECTED = 0.6  # of that disagreement: each of three may hold all of it, or a part
-FARTHEST = 0.05  # of a rate: a polled loop, or a nominal rate that was taken for the true one
 WEIGHED = 5e-3  # of the added mass: a kitchen scale
 PLACED = 5e-3  # m, its distance, by tape
 MISREAD = 0.04  # m, the same where the tape was read wrong, or held to another place,

@@ -9,7 +9,7 @@ would make of the leg, by the odds that it is there.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -19,12 +19,10 @@ from exoid.fitting.misfit.neighbourhood import declared_slopes
 from exoid.fitting.model.coordinates import TYPICAL, places
 from exoid.fitting.model.systematics import (
     DISAGREE,
-    FARTHEST,
     FOOT,
     MISREAD,
     SELDOM,
     SLANT,
-    SUSPECTED,
     sharing,
 )
 from exoid.fitting.model.term_parameters import parameters_of
@@ -33,6 +31,7 @@ from exoid.fitting.multistart.weight_by_kind import likelihood
 from exoid.fitting.solve.ask import advance, lowest, take, task, told_at
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
+from exoid.recordings.conventions.sensor_scales import FARTHEST, SUSPECTED
 
 CONVINCING = 3.0  # gain of log likelihood from which on a seat is held for tilted
 STEEPEST = np.radians(5.0)  # standard deviation of its tilt
@@ -247,6 +246,29 @@ def with_doubted_clocks(problem: Problem, best: Solved, local: Neighbourhood) ->
             if scale.size:
                 scale[entry] = max(scale[entry], BEYOND * abs(value))
     return problem.widened(clock=clock, gyro_scale=scale) if chosen else None
+
+
+def doubted(before: Problem, after: Problem, at: Solved) -> list[int]:
+    """The coordinates of the clocks whose priors are wider `after` than `before`."""
+    grown = after.deviation_of("clock") > before.deviation_of("clock")
+    return places_of(at, "clock", np.flatnonzero(grown).tolist())
+
+
+def not_by_anatomy(local: Neighbourhood, clocks: list[int]) -> Neighbourhood:
+    """The same, where what is believed of the leg narrows none of these coordinates.
+
+    The values are those of clocks as declared: what anatomy then asks of another clock, their
+    errors are not to take for evidence of this one. With the clocks k all others y go by U k,
+    U = -H_yy^-1 H_yk; what is believed is believed of y - U k, of which they are no part.
+    """
+    total = local.data + local.prior
+    others = np.setdiff1d(np.arange(len(total)), clocks)
+    own = np.ix_(others, np.array(clocks))
+    left = np.eye(len(total))
+    left[own] = variances(total[np.ix_(others, others)]) @ total[own]
+    left[clocks, clocks] = 0.0
+    believed = left.T @ (local.prior - local.declared) @ left
+    return replace(local, prior=believed + local.declared)
 
 
 def gyro_scale(

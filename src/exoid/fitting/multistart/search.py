@@ -10,7 +10,12 @@ from exoid.fitting.data.pace import quickest
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.model.coordinates import Coordinates, scaled
 from exoid.fitting.model.term_parameters import over_inertia
-from exoid.fitting.multistart.gross_errors import with_doubted_clocks, with_tilted_seats
+from exoid.fitting.multistart.gross_errors import (
+    doubted,
+    not_by_anatomy,
+    with_doubted_clocks,
+    with_tilted_seats,
+)
 from exoid.fitting.multistart.hold_to_declared import held, without_excuses
 from exoid.fitting.multistart.join_terms import join_terms
 from exoid.fitting.multistart.search_result import SearchResult
@@ -62,10 +67,10 @@ def search(
         disturbance = explained(problem, best)  # what no free leg would leave, but this one does
         best = settle(held(problem, less, disturbance.scale), free, begin, disturbance)
     local = around(problem, best, disturbance)
-    doubted = with_doubted_clocks(problem, best, local)
-    if doubted is not None:
-        problem = doubted  # the suspicion widens errors, and moves no value
-        local = around(problem, best, disturbance)
+    wide = with_doubted_clocks(problem, best, local)
+    if wide is not None:  # the suspicion widens errors, and moves no value
+        clocks = doubted(problem, wide, best)
+        problem, local = wide, not_by_anatomy(around(wide, best, disturbance), clocks)
     ended = SearchResult(free, member, failures, best, disturbance, begin, local, on_level)
     return problem, ended
 
