@@ -5,6 +5,7 @@ import numpy as np
 from exoid.pendulum.catalogue import MEASURES, measures
 from exoid.pendulum.drop import Average, Drop, PendulumTest
 from exoid.pendulum.halt import of_halt
+from exoid.pendulum.off_clock import with_doubted_clock
 from exoid.pendulum.smoothing import as_smoothed
 from exoid.recordings.conventions.jumps import AGAIN, jumps_of, told_jumps
 from exoid.recordings.landmarks.find_landmarks import find_landmarks
@@ -82,7 +83,9 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         seen = signal_of(segment, cleaned.recording.sensors)
         found = find_landmarks(track, recording.subject.kind != "rig", law, seen)
         halt = None if recording.subject.kind == "rig" else of_halt(found)
-        read, note = as_smoothed(measures(found), cleaned.angle, recording)
+        read, smoothed = as_smoothed(measures(found), cleaned.angle, recording)
+        read, clock = with_doubted_clock(read, segment, recording.sensors)
+        note = "; ".join(filter(None, (smoothed, clock))) or None
         if halt is None:
             check_motion(read)
     except NotAllowed as why:
