@@ -10,32 +10,24 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from exoid.recordings.landmarks.peak import peaks
-from exoid.recordings.landmarks.swing import turned
 from exoid.recordings.landmarks.track import DEGREE, Peak, Track
 
 AROUND = 0.2  # s to either side of a turn in which its kink is looked for
 FEWEST = 4  # samples there on either side
 TRIED = 3  # times that a turn and its kink are looked for: within 0.1 ms then
+SHARE = 0.1  # of the acceleration at a turn, that a polynomial misses of a spastic leg's swing
 MOST = 0.5  # of what a kink is misplaced by, that it misplaces a turn by: more tells no place
 
 
 @dataclass(frozen=True)
 class Kink:
-    """By how much the acceleration falls at a turn, and its error [rad/s^2]."""
+    """By how much the acceleration falls at a turn, its error, and how great it is there
+    [rad/s^2].
+    """
 
     fall: float
     error: float
-
-
-def turns(track: Track, begin: float) -> list[Peak]:
-    """The turning points after `begin` [s], flexion and extension in turn.
-
-    One counts once the leg has swung back from it by a degree. The first may be an extension,
-    where the leg did not fall at first.
-    """
-    first = int(np.searchsorted(track.time, begin))
-    near = [first + at for at in turned(track, first)]
-    return with_friction(track, peaks(track, near, begin), begin)
+    bend: float = 0.0
 
 
 def with_friction(track: Track, found: list[Peak], begin: float) -> list[Peak]:
@@ -44,7 +36,7 @@ def with_friction(track: Track, found: list[Peak], begin: float) -> list[Peak]:
     They stay as they were `found` where no kink is seen that exceeds its error.
     """
     each = [kink_at(track, turn, side(number), begin) for number, turn in enumerate(found)]
-    told = mean_of([one for one in each if one is not None])
+    told = common([one for one in each if one is not None])
     if told is None or told.fall < told.error:
         return found
     return [
@@ -58,12 +50,20 @@ def side(number: int) -> float:
     return 1.0 if number % 2 == 0 else -1.0
 
 
-def mean_of(kinks: list[Kink]) -> Kink | None:
-    if not kinks:
+def common(kinks: list[Kink]) -> Kink | None:
+    """The kink that all turns share, beside what a polynomial misses of a damped swing, which looks
+    like one in proportion to the swing: fall = shared + share * bend.
+    """
+    if len(kinks) < 2:
         return None
-    weights = np.array([each.error**-2 for each in kinks])
-    falls = np.array([each.fall for each in kinks])
-    return Kink(float(weights @ falls / weights.sum()), float(weights.sum() ** -0.5))
+    weights = np.array([1 / each.error for each in kinks])
+    bends = np.array([each.bend for each in kinks])
+    table = np.vstack([np.column_stack([weights, weights * bends]), [0.0, 1 / SHARE]])
+    falls = np.append(weights * [each.fall for each in kinks], 0.0)
+    inverse = np.linalg.pinv(table)
+    found = inverse @ falls
+    rough = max(1.0, float(np.linalg.norm(falls - table @ found)) / (len(kinks) - 1) ** 0.5)
+    return Kink(float(found[0]), rough * float(np.linalg.norm(inverse[0])))
 
 
 def kink_at(track: Track, turn: Peak, side: float, begin: float) -> Kink | None:
@@ -75,8 +75,10 @@ def kink_at(track: Track, turn: Peak, side: float, begin: float) -> Kink | None:
     if min(np.count_nonzero(x < 0), np.count_nonzero(x > 0)) < FEWEST:
         return None
     bent = -side * np.maximum(x, 0.0) ** 2 / 2
-    row = np.linalg.pinv(np.column_stack([bent, np.vander(x, DEGREE + 1)]))[0] / AROUND**2
-    return Kink(float(row @ track.angle[first:last]), track.noise * float(np.linalg.norm(row)))
+    powers = np.vander(x, DEGREE + 1, increasing=True)
+    inverse = np.linalg.pinv(np.column_stack([bent, powers])) / AROUND**2
+    fall, _, _, half, *_ = inverse @ track.angle[first:last]
+    return Kink(float(fall), track.noise * float(np.linalg.norm(inverse[0])), 2 * abs(float(half)))
 
 
 def about(track: Track, turn: Peak) -> Track:
@@ -95,16 +97,13 @@ def beside(track: Track, turn: Peak, kink: Kink, begin: float) -> Peak:
         near = int(np.abs(track.time - turn.time).argmin())
         return peaks(replace(track, angle=smooth), [near], begin)[0]
 
-    def nearer(found: Peak) -> tuple[Peak, Peak, float]:
-        here, later = (turned(kink.fall, found.time + by) for by in (0.0, apart))
-        share = min((later.time - here.time) / apart, MOST)
-        at = found.time + (here.time - found.time) / (1 - share)
-        return replace(here, time=at), here, share
-
+    found, here, share = turn, turn, 0.0
     apart = max(turn.time_error, track.step)
-    found, here, share = nearer(turn)
-    for _ in range(TRIED - 1):
-        found, here, share = nearer(found)
+    for _ in range(TRIED):
+        here = turned(kink.fall, found.time)
+        later = turned(kink.fall, found.time + apart)
+        share = min((later.time - here.time) / apart, MOST)
+        found = replace(here, time=found.time + (here.time - found.time) / (1 - share))
     other = turned(kink.fall + kink.error, found.time)
     late = float(np.hypot(here.time_error, other.time - here.time)) / (1 - share)
     unsure = float(np.hypot(here.error, other.value - here.value))

@@ -5,13 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.recordings.landmarks.dry_friction import turns
+from exoid.recordings.landmarks.dry_friction import with_friction
 from exoid.recordings.landmarks.landmarks import Landmarks
 from exoid.recordings.landmarks.local_polynomial import local
 from exoid.recordings.landmarks.measure import Found, NotAllowed
 from exoid.recordings.landmarks.release import Release, find_release
 from exoid.recordings.landmarks.rest import CutBefore, Rest, find_rest
-from exoid.recordings.landmarks.swing import turned
+from exoid.recordings.landmarks.swing import turned, turns
 from exoid.recordings.landmarks.track import FEWEST, HALF, SURE, Peak, Track
 from exoid.recordings.motion.acceleration import Law
 from exoid.recordings.motion.extent import Extent, Motionless
@@ -36,7 +36,7 @@ def find_landmarks(
     released = attempt(lambda: find_release(track, extent))
     free = None if isinstance(released, NotAllowed) else released
     begin = float(track.time[0]) if free is None else free.start.time
-    found = turns(track, begin)
+    found = with_friction(track, turns(track, begin), begin)
     start = float(track.angle[0]) if free is None else free.start.value
     if found and found[0].value > start:
         raise NotAllowed(f"no drop: it first swings towards extension, up to {found[0].time:.2f} s")

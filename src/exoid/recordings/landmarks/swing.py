@@ -5,8 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from exoid.recordings.landmarks.local_polynomial import local
+from exoid.recordings.landmarks.peak import peaks
 from exoid.recordings.landmarks.release import Release
-from exoid.recordings.landmarks.track import HALF, Track
+from exoid.recordings.landmarks.track import HALF, Peak, Track
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import reversals
 from exoid.recordings.signal.local_line import local_line
@@ -23,6 +24,16 @@ class Curve:
     angle: Samples  # rad
     velocity: Samples  # rad/s
     acceleration: Samples  # rad/s^2
+
+
+def turns(track: Track, begin: float) -> list[Peak]:
+    """The turning points after `begin` [s], flexion and extension in turn.
+
+    One counts once the leg has swung back from it by a degree. The first may be an extension,
+    where the leg did not fall at first.
+    """
+    first = int(np.searchsorted(track.time, begin))
+    return peaks(track, [first + at for at in turned(track, first)], begin)
 
 
 def turned(track: Track, first: int = 0) -> list[int]:
