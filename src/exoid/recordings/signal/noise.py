@@ -6,7 +6,14 @@ import numpy as np
 
 from exoid.recordings.recording import Sensors
 from exoid.recordings.samples import Samples, quantile
-from exoid.recordings.signal.neighbours import NEIGHBOURS, Known, astride, jumps_of, known_of
+from exoid.recordings.signal.neighbours import (
+    NEIGHBOURS,
+    Known,
+    astride,
+    at_rest,
+    jumps_of,
+    known_of,
+)
 from exoid.recordings.signal.scatter import FAR, FEWEST, NONE, quantum, robust_deviation
 from exoid.recordings.signal.tone import Tone
 
@@ -14,6 +21,8 @@ AGREE = 2.0  # factor between measured and declared noise, from which on it is w
 MORE = 1.5  # times the declared noise: samples that scatter by more are believed; jumps make 1.4
 SHARED = 2.0  # times white noise and motion, that wider neighbourhoods must show
 CLOSE, WIDEST = 0.051, 0.1  # s between neighbours: where smoothing shows at last, and motion does
+RESTING = 0.13  # s, the same of both in a leg at rest: errors that a filter of 4 Hz leaves
+STILL = 0.1  # of how far a leg swings most of the time, that it swings at rest at most
 STRIDES = 60  # neighbourhoods that are tried at most
 SWING, QUICK = 0.2, 8.0  # rad, rad/s: how much, and how fast, a leg swings most of the time
 OF_ANGLE, OF_RATE = SWING, SWING * QUICK  # rad, rad/s: how much the signal of a sensor swings then
@@ -116,7 +125,7 @@ def noise_of(
     measured = max(float(np.sqrt(np.mean(inside**2))), step, NONE)
     heaviness, width = measured / robust, 0.0
     if swing is not None:
-        measured, width = smoothed(known, known_step(known), measured, swing)
+        measured, width = smoothed_or_not(known, measured, swing)
     level = measured if declared is None or measured > MORE * declared else declared
     return Noise(level, measured, declared, heaviness, samples=errors.size, alike_over=width)
 
@@ -135,17 +144,34 @@ def of_few(errors: Samples) -> float:
     return float(np.sqrt(np.mean(errors**2))) * (1 + 1 / np.sqrt(2 * errors.size))
 
 
-def smoothed(known: list[Known], step: float, white: float, swing: float) -> tuple[float, float]:
+def smoothed_or_not(known: list[Known], white: float, swing: float) -> tuple[float, float]:
+    """`smoothed` by all samples, and by those of rests, which nothing but noise moves: what shows
+    more noise. Where a filter has left none, it has also taken from the motion.
+    """
+    step, still = known_step(known), STILL * swing
+    near = max(CLOSE, 2.1 * step)  # of a slow camera there is nothing nearer
+    found = smoothed(known, step, white, swing, (near, WIDEST))
+    rests = [rest for each in known if (rest := at_rest(each, still)) is not None]
+    if not rests or found[0] < QUIET:
+        return found
+    return max(found, smoothed(rests, step, white, still, (RESTING, RESTING)))
+
+
+def smoothed(
+    known: list[Known], step: float, white: float, swing: float, reach: tuple[float, float]
+) -> tuple[float, float]:
     """The noise that a signal had before it was smoothed, and over how many seconds [s] its errors
-    are alike now; `white` and 0 where neighbours share nothing. `step` is between known samples.
+    are alike now; `white` and 0 where neighbours share nothing. `step` is between known samples,
+    `reach` how far they may be apart [s] where smoothing shows, and where noise is told.
 
     White noise shows the same beside neighbours far and near, smoothed noise ever more. As many
     independent errors as there are such stretches tell a mean as well as white noise would that is
     larger by the root of the samples in a stretch. Neighbours on both sides of a jump (a release, a
     catch, play at a turn) share nothing that smoothing left: they do not count.
     """
+    close, widest = reach
     jumps = [jumps_of(each, FAR * white, TURN) for each in known]
-    tried = np.unique(np.geomspace(2, max(WIDEST / step, 2), STRIDES).astype(int)).tolist()
+    tried = np.unique(np.geomspace(2, max(widest / step, 2), STRIDES).astype(int)).tolist()
 
     def scatter(stride: int, most: int) -> float:
         """nan where too few samples tell."""
@@ -162,13 +188,13 @@ def smoothed(known: list[Known], step: float, white: float, swing: float) -> tup
         return SHARED * float(np.hypot(white, bend))
 
     level, width, most = white, 0.0, max(TELLING, FEWEST * len(known))
-    near = [stride for stride in tried if stride * step <= CLOSE]
+    near = [stride for stride in tried if stride * step <= close]
     few = max(HINTING, FEWEST * len(known))
     if not any(scatter(stride, few) > HINT * shared(stride) for stride in near):
         return white, 0.0
     for stride in tried:
         found = scatter(stride, most)
-        if np.isnan(found) or (not width and stride * step > CLOSE):
+        if np.isnan(found) or (not width and stride * step > close):
             break
         if found > max(shared(stride), level / np.sqrt(max(width / step, 1.0))):
             level, width = found * np.sqrt(stride), stride * step
