@@ -33,6 +33,24 @@ def test_noise_that_hides_the_rest_is_named():
     assert "deg of noise hide" in str(found["plateau_angle"].reason)
 
 
+def test_a_camera_of_25_frames_a_second_tells_every_measure_within_its_error():
+    leg, off = Oscillator(), []
+    truths = {
+        "first_flexion_amplitude": leg.amplitude * (1 + np.exp(-leg.decay * leg.period / 2)),
+        "period": leg.period,
+        "logarithmic_decrement_1": leg.decrement,
+        "plateau_angle": leg.rest,
+    }
+    for seed in range(6):
+        noisy = drop(leg, step=1 / 25, noise=0.3 * DEGREE, seed=seed)
+        found = exoid.measure_drops(noisy).drops[0].measures
+        assert all(each.value is not None for each in found.values())
+        off += [
+            (found[name].value - true) / found[name].standard_error for name, true in truths.items()
+        ]
+    assert np.sqrt(np.mean(np.square(off))) < 1.5  # of 24, once in 1000
+
+
 @pytest.mark.proof
 def test_errors_hold_for_any_leg_and_any_camera():
     draw = np.random.default_rng(0)

@@ -35,7 +35,7 @@ STEP = 0.001  # s between the tried times of release
 FALLING, HELD = (0, 1, 2, 3, 4, 5), (2, 3)  # powers of x that are followed after and before t0
 BY_HAND = (1, 6, 7)  # of these coefficients, those that a hand makes: speed, and what bends a hold
 SWAYS = tuple(np.radians((1.2, 0.6, 0.3)))  # rad, of each: 4 deg/s, as a hand trembles or gives way
-FEWEST = 8  # samples of the fall
+FEWEST = 7  # samples of the fall, which 25 Hz give in FALL
 
 Table = NDArray[np.float64]
 

@@ -16,7 +16,8 @@ DEGREE = 4  # the middle of a swing is then followed to 1 in 2000, its accelerat
 SURE = 3.0  # standard errors
 FEWEST = DEGREE + 2  # samples of a polynomial
 HOLE = 0.3  # s without an angle that are bridged: a leg turns around once in them at most
-SLOWEST = 0.034  # s between samples: of a slower recording, a window would be a third of a swing
+SLOWEST = 0.041  # s between samples, of PAL cameras: of a slower recording, fewer than six samples
+# would tell a turn
 
 
 @dataclass(frozen=True)
@@ -87,7 +88,7 @@ def track_of(segment: Segment, noise: float) -> Track:
     steps = np.diff(time)
     step = quantile(steps)
     if step > SLOWEST:
-        raise NotAllowed(f"sampled too slowly: at {1 / step:.3g} Hz, 30 Hz are the least")
+        raise NotAllowed(f"sampled too slowly: at {1 / step:.3g} Hz, 25 Hz are the least")
     if steps.max() > HOLE:
         at = int(np.argmax(steps))
         raise NotAllowed(
