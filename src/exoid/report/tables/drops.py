@@ -45,7 +45,8 @@ def explain(test: PendulumTest, console: Console) -> None:
     for reason, names in by_reason((drop.name, drop.note) for drop in test.drops).items():
         say(console, f"Segment {', '.join(names)}: {reason}.")
     say(console, "± is one standard error by the noise of the angle; of an average, the standard "
-        "deviation over drops. Flexion is negative, 0 is the extended knee.")  # fmt: skip
+        "deviation over drops. Angles are negative in flexion, 0 is the extended knee; amplitudes, "
+        "peak velocities and accelerations are sizes, whichever way the leg moves.")  # fmt: skip
     if EXPECTED in test.average:
         say(console, A_E)
     say(console, SOURCE)
