@@ -4,6 +4,7 @@ import pytest
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.hands.first_swing import FirstSwing, by_energy
+from exoid.fitting.hands.kept_back import AS, NEXT
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.conclude.verdict.begins_and_ends import begins_and_ends, what_next
 from exoid.recordings.recording import Protocol, Recording, Subject
@@ -34,6 +35,13 @@ FAST = FirstSwing(carried=0.1, braked=0.0, speed=5.0)
 )
 def test_what_a_speed_trips_brakes_every_fast_leg_and_no_slow_one(drops, by):
     assert by_energy(drops) == by
+
+
+def test_a_filter_blurs_a_release_as_a_hand_does_and_brakes_no_fast_leg():
+    assert by_energy([HELD, HELD], blurred=True) == "filtered"
+    assert by_energy([TRIPPED, TRIPPED], blurred=True) == "speed"
+    assert "filter" in AS["filtered"]
+    assert "as it was measured" in NEXT["filtered"]
 
 
 def kept_back(result: FitResult) -> set[str]:

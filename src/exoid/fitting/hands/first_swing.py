@@ -63,19 +63,23 @@ def kept_back_by(whole: Sequence[Movement], problem: Problem, ended: SearchResul
     if problem.terms:
         return "unknown"
     drops = [number for number, each in enumerate(whole) if bottom(each)]
-    by = by_energy([first_swing(whole[number], problem, ended, number) for number in drops])
-    blurred = any(each.noise.alike_over or each.noise.hidden for each in whole)
-    return "filtered" if blurred and by == "hand" else by
+    swings = [first_swing(whole[number], problem, ended, number) for number in drops]
+    return by_energy(swings, blurred=any(map(is_blurred, whole)))
 
 
-def by_energy(drops: Sequence[FirstSwing]) -> KeptBack:
-    """A hand leaves a leg before it is fastest. What a speed trips leaves a slow leg alone, and it
-    trips it in every drop that is as fast.
+def is_blurred(each: Movement) -> bool:
+    """Did its angle go through a filter?"""
+    return bool(each.noise.alike_over or each.noise.hidden)
+
+
+def by_energy(drops: Sequence[FirstSwing], *, blurred: bool = False) -> KeptBack:
+    """A hand leaves a leg before it is fastest; a filter that has `blurred` a release looks alike.
+    What a speed trips leaves a slow leg alone, and it trips it in every drop that is as fast.
     """
     braked = [each.speed for each in drops if each.braked > BRAKED]
     others = [each.speed for each in drops if each.braked <= BRAKED]
     if not braked:
-        return "hand"
+        return "filtered" if blurred else "hand"
     carried = any(each.carried > CARRIED for each in drops)
     return "unknown" if carried or max(others, default=0.0) >= min(braked) else "speed"
 

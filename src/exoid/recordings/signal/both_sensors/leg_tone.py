@@ -17,6 +17,7 @@ PERIODS, PIECE = 3.0, 0.4  # of the tone, and s, that a piece has at least
 MOST = 0.6  # of what the gyro misses, that a tone is at least: what else is missed has no line
 STEADY, SURGES = 0.4, 2.0  # of its size: three of four pieces exceed the one, one of four the other
 FEWEST = 4  # pieces
+GAIN = 0.015  # of a gyro's rate, by which its scale is off as a rule (one standard deviation)
 
 Left = tuple[Samples, Samples, Samples]  # time [s], and what is left of angle and rate
 
@@ -51,7 +52,7 @@ def leg_tone(each: Sequence[Left]) -> LegTone | None:
     steady = least > STEADY * size and most < SURGES * size
     if len(found) < FEWEST or not steady or rest > (1 - MOST) * total or not shared(rate, slope):
         return None
-    error = max(robust_deviation(sizes - size), 1e-9 * size) / np.sqrt(len(found))
+    error = float(np.hypot(robust_deviation(sizes - size) / np.sqrt(len(found)), GAIN * size))
     turns = 2 * np.pi * frequency
     return LegTone(frequency, size / turns, error / turns, size)
 
