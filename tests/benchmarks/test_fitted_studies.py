@@ -3,9 +3,9 @@
 from dataclasses import replace
 
 import numpy as np
-import pandas as pd
 import pytest
-from benchmarks.studies.fitted.answered import Told, fitted_of, kinds_of
+from benchmarks.studies.fitted.answered import Told, fitted_of, kinds_of, told_of
+from benchmarks.studies.fitted.exact import exact
 from benchmarks.studies.fitted.replications import check_same
 from benchmarks.studies.fitted.sensors import HELD, LATE, MOVED, NOISE, WORSE, ZERO, record
 from benchmarks.studies.fitted.summary import of_quantity, truths
@@ -115,35 +115,21 @@ def test_groups_and_levels_are_as_they_are_said():
 
 def told(visits, off, error=0.01, note=""):
     """Tables of fits that are off by so much."""
-    keys = ["recording", "participant", "session", "side"]
-    base = [
-        {
-            "recording": name_of(each),
-            "name": name_of(each),
-            "participant": each.person.id,
-            "session": f"day{each.day + 1}",
-            "side": ("left", "right")[each.side],
-            "status": "ok",
-            "participant_group": ("control", "spastic")[each.person.group],
-        }
-        for each in visits
-    ]
-    rows = [
-        {
-            **{key: row[key] for key in (*keys, "name")},
-            "segment": -1,
-            "step": "fit",
-            "quantity": truth.quantity,
-            "value": visit.truth(truth.quantity) + by,
-            "standard_error": error,
-            "unit": truth.unit,
-            "determined_by": "data",
-            "note": note,
-        }
-        for row, visit, by in zip(base, visits, off, strict=True)
-        for truth in WORLD.design.truths
-    ]
-    return study_of(pd.DataFrame(base), pd.DataFrame(rows))
+    sound = exact(visits, WORLD)
+    by = dict(zip(map(name_of, visits), off, strict=True))
+    rows = sound.quantities
+    value = rows["value"] + rows["name"].map(by)
+    return study_of(sound.recordings, rows.assign(value=value, standard_error=error, note=note))
+
+
+def test_exact_fits_are_asked_as_the_others_are():
+    visits = draw_study(WORLD.of(40), 0)
+    damping, stiffness = told_of(exact(visits, WORLD), WORLD)
+    assert (damping.quantity, stiffness.quantity) == tuple(t.quantity for t in WORLD.design.truths)
+    by_group = [[v.truth(DAMPING.quantity) for v in visits if v.person.group == g] for g in (0, 1)]
+    apart = np.mean(by_group[1]) - np.mean(by_group[0])
+    # All people have as many values: the mixed model's means are the plain ones.
+    assert damping.intervals["difference of the groups"][0] == pytest.approx(apart, rel=1e-6)
 
 
 def test_values_are_held_against_their_own_truth():
@@ -179,6 +165,6 @@ def test_intervals_are_counted_as_they_hold():
         Told("damping_over_inertia", dict.fromkeys(QUESTIONS, each), 0.01)
         for each in ((at, at - 0.1, at + 0.1), (at + 0.3, at + 0.2, at + 0.4))
     ]
-    lines = list(of_quantity(both, DAMPING, WORLD))
-    assert "  1 of   2  0.1650  0.3150" in lines[0]
+    lines = list(of_quantity([(each, both[0]) for each in both], DAMPING, WORLD))
+    assert "  1 of   2  0.1650  0.3150 ± 0.1500   0.1500 ± 0.1500" in lines[0]
     assert "  2 of   2" in lines[-1]  # both differ surely

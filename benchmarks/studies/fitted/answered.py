@@ -60,10 +60,11 @@ class Kind:
 
 @dataclass(frozen=True)
 class Answered:
-    """One study."""
+    """One study; `exact` is what it would say if no fit had an error."""
 
     seed: int
     told: tuple[Told, ...]
+    exact: tuple[Told, ...]
     kinds: tuple[Kind, ...]
 
 

@@ -15,6 +15,7 @@ from exoid.studies.statistics.tables.study import Study, open_study
 
 from .answered import Answered, kinds_of, told_of
 from .compute import compute
+from .exact import exact
 from .world import Visit, World, draw_study
 from .write import put_study
 
@@ -35,7 +36,8 @@ def replications(
     for seed in seeds:
         visits = draw_study(world, seed)
         study = tables(visits, settings, seed, folder / f"study-{seed:04d}")
-        yield Answered(seed, told_of(study, world), kinds_of(study, world, visits))
+        without = told_of(exact(visits, world), world)
+        yield Answered(seed, told_of(study, world), without, kinds_of(study, world, visits))
 
 
 def tables(visits: list[Visit], settings: Settings, seed: int, place: Path) -> Study:

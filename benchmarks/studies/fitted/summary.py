@@ -18,22 +18,33 @@ WIDE = 52  # characters of a name
 def summary(world: World, studies: Sequence[Answered]) -> list[str]:
     """Question by question, then kind by kind of recordings."""
     head = f"{len(studies)} studies of {world.design.people} people"
-    lines = [f"{head:{WIDE}}   held   truth  found on average"]
+    lines = [f"{head:{WIDE}}   held   truth  found on average  more than exact fits"]
     for at, truth in enumerate(world.design.truths):
-        lines += of_quantity([each.told[at] for each in studies], truth, world)
+        pairs = [(each.told[at], each.exact[at]) for each in studies]
+        lines += of_quantity(pairs, truth, world)
     return [*lines, "", *of_kinds(studies)]
 
 
-def of_quantity(told: Sequence[Told], truth: Truth, world: World) -> Iterator[str]:
+def of_quantity(pairs: Sequence[tuple[Told, Told]], truth: Truth, world: World) -> Iterator[str]:
+    """Of what studies say, each beside what they would say of exact fits."""
     for question, true in truths(truth, world):
-        each = np.array([one.intervals[question] for one in told])
+        each, exact = (
+            np.array([one.intervals[question] for one in told]) for told in zip(*pairs, strict=True)
+        )
         held = int(np.sum((each[:, 1] <= true) & (true <= each[:, 2])))
-        value, wide = each[:, 0].mean(), each[:, 0].std() / len(each) ** 0.5
+        more = mean_of(each[:, 0] - exact[:, 0])
         name = f"{question} of {truth.quantity}"
-        yield f"{name:{WIDE}} {held:3} of {len(each):3} {true:7.4f}  {value:.4f} ± {wide:.4f}"
-    found = sum(one.p < SURE for one in told)
+        said = f"{name:{WIDE}} {held:3} of {len(each):3} {true:7.4f}"
+        yield f"{said}  {mean_of(each[:, 0]):16}  {more}"
+    found = sum(told.p < SURE for told, _ in pairs)
     there = "that is there" if truth.effect else "that is not there"
-    yield f"{f'a difference {there} is found':{WIDE}} {found:3} of {len(told):3}"
+    yield f"{f'a difference {there} is found':{WIDE}} {found:3} of {len(pairs):3}"
+
+
+def mean_of(each: np.ndarray) -> str:
+    """With its standard error, where there are several."""
+    error = f" ± {each.std(ddof=1) / each.size**0.5:.4f}" if each.size > 1 else ""
+    return f"{each.mean():.4f}{error}"
 
 
 def truths(truth: Truth, world: World) -> Iterator[tuple[str, float]]:
