@@ -77,7 +77,7 @@ def test_of_a_turn_that_is_no_swing_no_decrement_is_told(drops):
 def test_a_recording_that_ends_as_the_leg_is_let_go_tells_nothing_and_is_no_fault():
     (found,) = measure_drops(drop(noise=NOISE, lasting=0.05)).drops
     assert not found.measured
-    assert "fewer than 8 samples follow the release" in found.reason
+    assert "fewer than 7 samples follow the release" in found.reason
 
 
 @pytest.mark.parametrize(("lasting", "read"), [(0.45, False), (0.9, True)])

@@ -4,11 +4,11 @@ from functools import cache
 
 import numpy as np
 import pytest
-from exoid.recordings.signal.clean import Cleaned, clean
 from scipy.integrate import solve_ivp
 from scipy.signal import butter, filtfilt
 
 from exoid.recordings.recording import Recording, Segment
+from exoid.recordings.signal.both_sensors.clean import Cleaned, clean
 from exoid.recordings.signal.both_sensors.leg_tone import leg_tone
 
 TIME = 0.01 * np.arange(800)
