@@ -10,9 +10,9 @@ from math import hypot
 
 import numpy as np
 
-from exoid.recordings.conventions.sensor_scales import FARTHEST, GYRO_SCALE, SUSPECTED
 from exoid.recordings.landmarks.measure import Measure
 from exoid.recordings.recording import Segment, Sensors
+from exoid.recordings.signal.both_sensors.sensor_scales import FARTHEST, GYRO_SCALE, SUSPECTED
 from exoid.recordings.signal.condition import SMOOTHING
 from exoid.recordings.signal.local_line import local_line
 

@@ -8,8 +8,8 @@ from typing import Annotated
 import numpy as np
 
 from exoid.fitting.model.mounting import Mounting
-from exoid.recordings.conventions.sensor_scales import GYRO_SCALE
 from exoid.recordings.recording import Recording
+from exoid.recordings.signal.both_sensors.sensor_scales import GYRO_SCALE
 
 OWNED = tuple(each.name for each in fields(Mounting))
 OF_THE_GYRO = ("gyro_scale", "gyro_bias")

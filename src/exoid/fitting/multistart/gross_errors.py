@@ -31,7 +31,7 @@ from exoid.fitting.multistart.weight_by_kind import likelihood
 from exoid.fitting.solve.ask import advance, lowest, take, task, told_at
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
-from exoid.recordings.conventions.sensor_scales import FARTHEST, SUSPECTED
+from exoid.recordings.signal.both_sensors.sensor_scales import FARTHEST, SUSPECTED
 
 CONVINCING = 3.0  # gain of log likelihood from which on a seat is held for tilted
 STEEPEST = np.radians(5.0)  # standard deviation of its tilt

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from exoid.recordings.chi_square import chance_above, median_of
 from exoid.recordings.samples import Samples, usual_step
+from exoid.recordings.signal.both_sensors.sensor_scales import GYRO_SCALE
 from exoid.recordings.signal.both_sensors.shared_motion import shared
 from exoid.recordings.signal.scatter import robust_deviation
 from exoid.recordings.signal.tone import AROUND, FALSE, powers, spectrum, standing_out, unbroken
@@ -17,7 +18,6 @@ PERIODS, PIECE = 3.0, 0.4  # of the tone, and s, that a piece has at least
 MOST = 0.6  # of what the gyro misses, that a tone is at least: what else is missed has no line
 STEADY, SURGES = 0.4, 2.0  # of its size: three of four pieces exceed the one, one of four the other
 FEWEST = 4  # pieces
-GAIN = 0.015  # of a gyro's rate, by which its scale is off as a rule (one standard deviation)
 
 Left = tuple[Samples, Samples, Samples]  # time [s], and what is left of angle and rate
 
@@ -52,7 +52,7 @@ def leg_tone(each: Sequence[Left]) -> LegTone | None:
     steady = least > STEADY * size and most < SURGES * size
     if len(found) < FEWEST or not steady or rest > (1 - MOST) * total or not shared(rate, slope):
         return None
-    error = float(np.hypot(robust_deviation(sizes - size) / np.sqrt(len(found)), GAIN * size))
+    error = float(np.hypot(robust_deviation(sizes - size) / np.sqrt(len(found)), GYRO_SCALE * size))
     turns = 2 * np.pi * frequency
     return LegTone(frequency, size / turns, error / turns, size)
 
