@@ -9,6 +9,7 @@ from concurrent.futures import Future, ProcessPoolExecutor
 from dataclasses import replace
 from math import radians
 from multiprocessing import get_context
+from threading import get_ident
 
 import pytest
 from bundled_session import SUBJECT, until
@@ -157,7 +158,7 @@ def test_a_process_that_starts_hears_no_interrupt_and_its_starter_hears_it_after
 
     def interrupted() -> None:
         with unheard():
-            os.kill(os.getpid(), signal.SIGINT)
+            signal.pthread_kill(get_ident(), signal.SIGINT)
             done.append("all of it")
 
     with pytest.raises(KeyboardInterrupt):

@@ -33,7 +33,7 @@ class SecondProcess:
 @contextmanager
 def unheard() -> Iterator[None]:
     """What this thread starts meanwhile hears no Ctrl-C, not even before it is prepared: a process
-    inherits what its starter blocks. Here it is heard afterwards.
+    inherits what its starter blocks. Here it is heard afterwards, unless another thread takes it.
     """
     if not hasattr(signal, "pthread_sigmask"):  # Windows
         yield
