@@ -1,21 +1,26 @@
 """A set of causes is one candidate, whichever way a search came to it."""
 
+import re
 from types import SimpleNamespace
 
 import pytest
 from found_by_hand import SAMPLES, explaining, found_of
 
 from exoid.cli.inputs.terms import rivals_in
+from exoid.mismatch import prepare
 from exoid.mismatch.answer.diagnosis import Suspect
 from exoid.mismatch.conclude.asserted import equivalents
 from exoid.mismatch.conclude.rivals import advice
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.search import search
 from exoid.mismatch.search.found import best_of
+from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.device.hard_stop import HardStop
+from exoid.physics.terms.device.shaped_hysteresis import ShapedHysteresis
 from exoid.physics.terms.device.torque_bias import TorqueBias
 from exoid.physics.terms.tissue.cubic_stiffness import CubicStiffness
 from exoid.physics.terms.tissue.end_range_stiffening import EndRangeStiffening
+from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
 from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
 from exoid.planning.plan_between import of_helpless
 
@@ -83,6 +88,21 @@ def test_nothing_is_to_be_recorded_to_tell_what_pushes_alike_from_each_other():
     )
     (alone,) = advice([each[1]], "cannot_tell", None, segments=1)
     assert TorqueBias.isolate in alone
+
+
+def test_an_axis_whose_torque_is_known_is_asked_for_no_drop():
+    """What frees or relaxes a leg does nothing to a motor's axis."""
+    each = [explaining(1000.0, term) for term in (CoulombFriction, QuadraticDrag, ShapedHysteresis)]
+    said = advice(each, "cannot_tell", None, segments=3, driven=True)
+    assert said[0].endswith(f"{CoulombFriction.isolate_driven}.")
+    assert said[2].endswith(f"{ShapedHysteresis.isolate}.")  # slow reversals are the same of both
+    for term in prepare.tested(rig=True):
+        if not (term.living or term.voluntary):
+            asked = term.isolate_driven or term.isolate
+            assert not re.search("drop|thigh|EMG|relax|shin", asked), term
+    assert advice(each[:1], "cannot_tell", None, segments=3)[0].endswith(
+        f"{CoulombFriction.isolate}."
+    )
 
 
 def test_a_plan_between_what_pushes_alike_says_that_nothing_tells_it():

@@ -97,7 +97,8 @@ def unclaimed(found: Diagnosis, reasons: list[str]) -> Diagnosis:
     each = likely(own)
     nothing: dict[str, Any] = {"findings": [], "novel": False, "formula": None}
     suspected = suspects(own, each, best)
-    then = advice(each[:2], "cannot_tell", None, len(found.before.segments))
+    prepared = own.prepared
+    then = advice(each[:2], "cannot_tell", None, prepared.segments, driven=prepared.driven)
     more: dict[str, Any] = {"suspected": suspected, "advice": then}
     return replace(found, verdict="cannot_tell", reasons=reasons, **nothing, **more)
 

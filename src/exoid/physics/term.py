@@ -48,6 +48,7 @@ class Term(eqx.Module):
     explanation: eqx.AbstractClassVar[str]  # one sentence for the user
     isolate: eqx.AbstractClassVar[str]  # the recording that would show it apart from others
 
+    isolate_driven: ClassVar[str] = ""  # the recording of an axis whose torque is known, if another
     remark: ClassVar[str] = ""  # what to know of its numbers
     twin: ClassVar[str] = ""  # what looks the same in every recording
     named_only: ClassVar[bool] = False  # need no search try it by itself: a twin, or a finer form

@@ -180,9 +180,16 @@ def value_of(name: str, fit: FitResult) -> float | None:
 
 
 def advice(
-    rivals: list[Optimum], verdict: Verdict, formula: Formula | None, segments: int
+    rivals: list[Optimum],
+    verdict: Verdict,
+    formula: Formula | None,
+    segments: int,
+    *,
+    driven: bool = False,
 ) -> list[str]:
-    """What to record next, to tell `rivals` apart, beside so many segments."""
+    """What to record next, to tell `rivals` apart, beside so many segments, `driven` by a torque
+    that was measured or not.
+    """
     if verdict == "none":
         return []
     more = [] if segments >= REPEATED else [REPEAT]
@@ -193,5 +200,9 @@ def advice(
         return []
     alike = pushing_alike(list(terms))
     said = [of_alike(alike)] if alike else []
-    said += [f"To tell {term.title} apart: {term.isolate}." for term in terms if term not in alike]
+    said += [
+        f"To tell {term.title} apart: {(driven and term.isolate_driven) or term.isolate}."
+        for term in terms
+        if term not in alike
+    ]
     return said or more or [ONE_AT_A_TIME]

@@ -89,6 +89,11 @@ class PreparedRecording:
 
         return MeasuredMotion(*map(padded, ("angle", "angular_velocity", "angular_acceleration")))
 
+    @property
+    def driven(self) -> bool:
+        """Was the torque of every segment measured?"""
+        return all_driven(self.problem.movements)
+
     @cached_property
     def places(self) -> np.ndarray:
         """Which coordinate every baseline unknown of a segment is."""
@@ -190,7 +195,7 @@ class PreparedRecording:
         lower, upper = np.full(size, -np.inf), np.full(size, np.inf)
         inertia = self.log_inertia / float(TYPICAL.shared.log_inertia)
         free = -np.inf if self.rig else 0.0  # of the stiffness
-        axis = self.rig and all_driven(self.problem.movements)  # which may point anywhere
+        axis = self.rig and self.driven  # which may point anywhere
         pull = -np.inf if axis else 0.0
         least = Shared(*map(np.asarray, (inertia - FARTHEST, pull, free, 0.0)))
         at = np.ravel(jax.tree.leaves(self.numbers.shared))

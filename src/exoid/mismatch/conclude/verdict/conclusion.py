@@ -109,9 +109,10 @@ def advised(
     found: Found, rivals: list[Optimum], verdict: Verdict, formula: Formula | None
 ) -> list[str]:
     """What to record next, where the recording showed enough to say so."""
-    if too_little(found.prepared):
+    prepared = found.prepared
+    if too_little(prepared):
         return []
-    return advice(rivals, verdict, formula, found.prepared.segments)
+    return advice(rivals, verdict, formula, prepared.segments, driven=prepared.driven)
 
 
 def novel_torque(found: Found, formula: Formula, best: Optimum) -> NovelTorque:

@@ -20,6 +20,7 @@ class LoadFriction(PhysicsTerm):
         "vertical and lets it swing near it."
     )
     isolate = "the same drops without and with a known added mass"
+    isolate_driven = "the same movement without and with a known load"
     substeps = 4  # it sticks and lets go within a step
     mechanical = True
 

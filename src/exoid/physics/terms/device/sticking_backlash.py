@@ -5,6 +5,7 @@ import jax.numpy as jnp
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Reading, reading
+from exoid.physics.terms.device.backlash import Backlash
 
 TOUCH = 1e-6  # relative, within which leg and frame are in contact
 
@@ -21,7 +22,8 @@ class StickingBacklash(PhysicsTerm):
         "Slack straps or a worn hinge whose friction holds what carries the sensors: after every "
         "turn the leg moves for a moment before they do."
     )
-    isolate = "the leg held, the frame moved by hand through its play"
+    isolate = Backlash.isolate
+    isolate_driven = Backlash.isolate_driven
     memory_size = 1
     jumps = True
     substeps = 4  # it stops at the end of one, and not where the leg turns

@@ -17,6 +17,7 @@ class StribeckFriction(PhysicsTerm):
         "lubricated or plastic bearings do."
     )
     isolate = "slow movements and many turning points: drops from small angles"
+    isolate_driven = "constant speeds both ways, down to the slowest"
     substeps = 4  # it sticks and lets go within a step
 
     excess: Parameter = parameter("F_x", "N m", 0.0, 50.0, "friction beyond F_c", (0.05,))

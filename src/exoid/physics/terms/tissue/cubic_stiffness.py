@@ -15,6 +15,7 @@ class CubicStiffness(PhysicsTerm):
         "amplitude by more than gravity's share."
     )
     isolate = "drops from several angles, with an encoder checked at a known angle"
+    isolate_driven = "slow movements through the whole range, both ways"
     by_whole_drops = True
 
     coefficient: Parameter = parameter("k_3", "N m/rad^3", -3.0, 10.0, "cubic stiffness", (0.2,))

@@ -19,6 +19,7 @@ class Hysteresis(PhysicsTerm):
         "bridges, straps and pre-sliding bearings do."
     )
     isolate = "small reversals, and a drop right after the leg was shaken"
+    isolate_driven = "slow reversals of several sizes"
     memory_size = 1
     lasting = True
     substeps = 4

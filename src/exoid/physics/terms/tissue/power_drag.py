@@ -21,6 +21,7 @@ class PowerDrag(PhysicsTerm):
         "square."
     )
     isolate = QuadraticDrag.isolate
+    isolate_driven = QuadraticDrag.isolate_driven
     by_whole_drops = True
 
     coefficient: Parameter = parameter("b", "N m s^2/rad^2", 0.0, 2.0, "drag at 1 rad/s", (0.02,))

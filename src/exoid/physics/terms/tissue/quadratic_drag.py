@@ -17,6 +17,7 @@ class QuadraticDrag(PhysicsTerm):
         "air on a bare leg is a hundred times too thin)."
     )
     isolate = "drops from large and small angles: damping that goes with amplitude"
+    isolate_driven = "constant speeds, up to the fastest"
 
     coefficient: Parameter = parameter("b", "N m s^2/rad^2", 0.0, 2.0, "drag coefficient", (0.02,))
 

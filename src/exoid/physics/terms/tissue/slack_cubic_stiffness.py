@@ -16,6 +16,7 @@ class SlackCubicStiffness(PhysicsTerm):
         "faster the farther it is from there."
     )
     isolate = CubicStiffness.isolate
+    isolate_driven = CubicStiffness.isolate_driven
     by_whole_drops = True
 
     coefficient: Parameter = parameter("k_3", "N m/rad^3", -3.0, 10.0, "cubic stiffness", (0.2,))

@@ -20,6 +20,7 @@ class StiffnessRestAngle(PhysicsTerm):
         "it."
     )
     isolate = "the hanging angle without and with a known added mass"
+    isolate_driven = "the angle at which the axis rests with the motor off"
 
     same_torque = "torque_bias"
 
