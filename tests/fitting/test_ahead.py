@@ -1,8 +1,10 @@
 """A second process makes programs ahead, and no program is made twice at a time."""
 
 import os
+import signal
 import threading
 import time
+from multiprocessing import get_context
 from pathlib import Path
 
 import pytest
@@ -52,6 +54,35 @@ def test_what_still_runs_in_the_second_process_ends_with_the_diagnosis():
         (process,) = made_ahead._offered[0].process.pool._processes.values()
     process.join(10)
     assert not process.is_alive()
+
+
+def start_and_stay(folder: Path) -> None:
+    """What starts a second process, and is killed."""
+    process = SecondProcess(int)
+    process.submit(leave, "second", folder)
+    time.sleep(600)
+
+
+def test_a_second_process_ends_with_one_that_is_killed(tmp_path):
+    starter = get_context("spawn").Process(target=start_and_stay, args=(tmp_path,))
+    starter.start()
+    second = int(waited_for(tmp_path / "second"))
+    starter.kill()
+    starter.join(10)
+    for _ in range(100):
+        if not alive(second):
+            return
+        time.sleep(0.1)
+    os.kill(second, signal.SIGKILL)
+    raise AssertionError("the second process outlives who started it")
+
+
+def alive(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    return True
 
 
 def test_on_one_core_there_is_no_second_process(tmp_path, monkeypatch):

@@ -1,20 +1,24 @@
 """A second process, for what need not wait."""
 
 import gc
+import os
 import signal
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
 from contextlib import contextmanager
-from multiprocessing import get_context
+from multiprocessing import get_context, parent_process
+from threading import Thread
 from typing import Any
 
 
 class SecondProcess:
-    """Does one task after another, from the first on."""
+    """Does one task after another, from the first on, and ends with who started it, however that
+    one ends.
+    """
 
     def __init__(self, prepare: Callable[..., None], *given: Any):
         with unheard():
-            self.pool = ProcessPoolExecutor(1, get_context("spawn"), prepare, given)
+            self.pool = ProcessPoolExecutor(1, get_context("spawn"), begin, (prepare, *given))
 
     def submit(self, task: Callable[..., Any], *arguments: Any) -> Future:
         """What the task will return; it and its arguments can be pickled."""
@@ -28,6 +32,21 @@ class SecondProcess:
         self.pool.shutdown(cancel_futures=True)
         del self.pool
         gc.collect()  # its semaphores go with it, as they would not with this process
+
+
+def begin(prepare: Callable[..., None], *given: Any) -> None:
+    """Prepare this process for its tasks. It waits for them at a queue that it holds open itself:
+    a starter that was killed would never be missed there.
+    """
+    Thread(target=end_with_starter, daemon=True).start()
+    prepare(*given)
+
+
+def end_with_starter() -> None:
+    starter = parent_process()
+    assert starter is not None
+    starter.join()
+    os._exit(0)
 
 
 @contextmanager
