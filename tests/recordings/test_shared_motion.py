@@ -9,7 +9,7 @@ from scipy.signal import butter, filtfilt
 
 from exoid.recordings.recording import Recording, Segment
 from exoid.recordings.signal.both_sensors.clean import Cleaned, clean
-from exoid.recordings.signal.both_sensors.leg_tone import leg_tone
+from exoid.recordings.signal.both_sensors.leg_tone import leg_tone, swing_of
 
 TIME = 0.01 * np.arange(800)
 OF_ANGLE, OF_RATE = np.radians(0.05), np.radians(0.17)  # white noise of the sensors
@@ -118,3 +118,16 @@ def test_neither_noise_nor_one_sensor_nor_what_dies_out_is_a_tone_of_a_leg():
         for time, angle, rate in left(5.0, 2.0)
     ]
     assert leg_tone(fading) is None
+
+
+def test_a_harmonic_of_the_own_swing_is_no_tone():
+    """What friction leaves of a swing of 0.9 Hz has 2.7 Hz; a rig that swings at 2.9 has that."""
+    _, slow = swung(5.0, 0.0)[0]
+    own = swing_of([(TIME, slow)])
+    assert own == pytest.approx(np.sqrt(29.0) / (2 * np.pi), rel=0.05)
+    third = left(3.0 * own, 2.0)
+    assert leg_tone(third) is not None
+    assert leg_tone(third, own) is None
+    assert leg_tone(left(4.5, 2.0), own) is not None
+    assert leg_tone(left(4.5, 2.0), 2.9) is None
+    assert swing_of([(TIME, 0.0 * TIME)]) == 0.0

@@ -6,7 +6,7 @@ from typing import Any
 
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.model.systematics import by_recording
-from exoid.recordings.signal.both_sensors.leg_tone import LegTone, leg_tone
+from exoid.recordings.signal.both_sensors.leg_tone import LegTone, leg_tone, swing_of
 from exoid.recordings.signal.noise import Noise, Play
 
 
@@ -44,17 +44,12 @@ def tone_of(segments: Sequence[Any]) -> LegTone | None:
     """The tone that moves a leg that was let go, beside what the simulation of fitted `segments`
     does; None without a gyro.
     """
-    return leg_tone(
-        [
-            (
-                one.time,
-                one.angle - one.simulated_angle,
-                one.angular_velocity - one.simulated_velocity,
-            )
-            for one in segments
-            if one.kind == "passive" and one.angular_velocity is not None
-        ]
-    )
+    let_go = [one for one in segments if one.kind == "passive" and one.angular_velocity is not None]
+    left = [
+        (one.time, one.angle - one.simulated_angle, one.angular_velocity - one.simulated_velocity)
+        for one in let_go
+    ]
+    return leg_tone(left, swing_of([(one.time, one.simulated_velocity) for one in let_go]))
 
 
 def of_leg_tone(tone: LegTone, ratios: Mapping[str, Any], inertia: float | None) -> str:

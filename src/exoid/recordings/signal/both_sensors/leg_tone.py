@@ -13,7 +13,10 @@ from exoid.recordings.signal.both_sensors.shared_motion import shared
 from exoid.recordings.signal.scatter import robust_deviation
 from exoid.recordings.signal.tone import AROUND, FALSE, powers, spectrum, standing_out, unbroken
 
-SLOWEST = 2.5  # Hz: what is missed of a swing, and twice its frequency, is slower
+SLOWEST = 2.5  # Hz
+OWN = (
+    3.5  # times a leg's swing: what is missed of one, as friction, has its frequency or thrice that
+)
 PERIODS, PIECE = 3.0, 0.4  # of the tone, and s, that a piece has at least
 MOST = 0.6  # of what the gyro misses, that a tone is at least: what else is missed has no line
 STEADY, SURGES = 0.4, 2.0  # of its size: three of four pieces exceed the one, one of four the other
@@ -32,15 +35,17 @@ class LegTone:
     rate: float  # rad/s
 
 
-def leg_tone(each: Sequence[Left]) -> LegTone | None:
+def leg_tone(each: Sequence[Left], swing: float = 0.0) -> LegTone | None:
     """The tone that encoder and gyro show alike for as long as they record; None where none does.
+    Of a leg that swings at `swing` Hz it is no harmonic.
 
     It makes up most of what is `left` of every segment's gyro, so that what a model misses
     otherwise, which dies out with the swings, is no tone.
     """
     parts = [known(*one) for one in each]
     parts = [one for one in parts if one[0].size > AROUND]
-    frequency = line([(time, rate) for time, _, rate in parts]) if parts else None
+    slowest = max(SLOWEST, OWN * swing)
+    frequency = line([(time, rate) for time, _, rate in parts], slowest) if parts else None
     if frequency is None:
         return None
     found = [piece for one in parts for piece in pieces(*one, frequency)]
@@ -57,6 +62,15 @@ def leg_tone(each: Sequence[Left]) -> LegTone | None:
     return LegTone(frequency, size / turns, error / turns, size)
 
 
+def swing_of(motions: Sequence[tuple[Samples, Samples]]) -> float:
+    """The frequency [Hz] of swings, from time [s] and rate: root mean square of its slope, over its
+    own.
+    """
+    slopes = sum(float(np.sum(np.gradient(rate, time) ** 2)) for time, rate in motions)
+    squares = sum(float(np.sum(rate**2)) for _, rate in motions)
+    return float(np.sqrt(slopes / squares)) / (2 * np.pi) if squares else 0.0
+
+
 def known(time: Samples, angle: Samples, rate: Samples) -> Left:
     """The samples that tell both, from the longest stretch without a pause."""
     together = np.where(np.isnan(angle), np.nan, rate)
@@ -65,12 +79,14 @@ def known(time: Samples, angle: Samples, rate: Samples) -> Left:
     return time[inside] - time[inside][:1], angle[inside], rate[inside]
 
 
-def line(signals: list[tuple[Samples, Samples]]) -> float | None:
-    """The frequency [Hz] whose power over all signals stands out the most from those around it."""
+def line(signals: list[tuple[Samples, Samples]], slowest: float) -> float | None:
+    """The frequency [Hz], `slowest` or above, whose power over all signals stands out the most from
+    those around it.
+    """
     step = min(usual_step(time) for time, _ in signals)
     size = 2 * max(int(time[-1] / step) + 1 for time, _ in signals)
     grid = np.fft.rfftfreq(size, step)
-    quick = grid >= SLOWEST
+    quick = grid >= slowest
     level = [(time, left - left.mean()) for time, left in signals]
     power = np.sum([spectrum(*one, step, size) for one in level], axis=0)[quick]
     freedom = 2 * len(signals)
