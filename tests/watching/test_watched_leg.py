@@ -197,3 +197,22 @@ def test_another_leg_is_not_known_by_the_weights_that_were_on_the_one_before(rea
     assert set(leg.estimators) == {Mass()}
     assert (told[-1].drops, told[-1].believed) == (1, True)
     assert "inertia" not in told[-1].quantities
+
+
+def test_a_drop_counts_that_still_swings_as_a_pause_comes_behind_which_another_weight_is_on(
+    readings, person
+):
+    """The first one is cut at 4.5 s; behind a second without samples the leg hangs with 1 kg."""
+    bare = until(readings, 4.5)
+    first = next(each.time for each in readings if each.time > LOADED[0])
+    loaded = [
+        each._replace(time=each.time - first + 5.5)
+        for each in readings
+        if first <= each.time < first + 1.0
+    ]
+    told = list(Leg(person, Load((0.0, 5.5), (Mass(), WEIGHT))).take([*bare, *loaded]))
+    (one,) = drops(told)
+    assert (one.mass, one.number) == (Mass(), 1)
+    assert 4.0 < one.until <= 4.5
+    assert moments(told)[-1].drops == 1
+    assert len({each.time for each in moments(told)}) == len(moments(told))

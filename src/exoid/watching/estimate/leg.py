@@ -82,8 +82,15 @@ class Leg:
             mass = self.load.at(each.time)
             if mass != self.now:
                 yield from self.taken(readings[begin:at])
+                yield from self.cut_by(each)
                 begin, self.now = at, mass
         yield from self.taken(readings[begin:])
+
+    def cut_by(self, after: Reading) -> Iterator[LegDrop | LeftOut]:
+        """The drop that a pause ends before another weight is on: its own estimator sees no more."""
+        for news in self.taken([after]):
+            if not isinstance(news, Moment):
+                yield news
 
     def taken(self, readings: Sequence[Reading]) -> Iterator[Moment | LegDrop | LeftOut]:
         estimator = self.estimator_of(self.now)
