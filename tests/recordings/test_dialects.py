@@ -275,7 +275,9 @@ def test_a_time_of_exoids_name_hides_no_other_name(write, names):
     [
         ("t,knee_angle_r,knee_angle_l\n0,1,2\n1,1,2\n", {}, "several columns can be the angle"),
         ("time,t,knee\n0,1,2\n1,1,2\n", {}, "several columns can be the time: time, t"),
-        ("t,hip\n0,1\n1,1\n", {}, "has no angle. It holds: t, hip. Name it: columns="),
+        ("t,hip\n0,1\n1,1\n", {}, 'It holds: t, hip. Name it: columns={"raw_angle_deg": "hip"}'),
+        ("t,hip (rad)\n0,1\n1,1\n", {}, 'Name it: columns={"raw_angle_rad": "hip (rad)"}'),
+        ("t,hip,toe\n0,1,1\n1,1,1\n", {}, 'Name it: columns={"raw_angle_deg": "..."}'),
         ("t,gyro_x_dps\n0,1\n1,1\n", {}, "has no angle, and a gyro alone is not enough"),
         ("time_s,raw_angel_deg\n0,1\n1,1\n", {}, "Did you mean raw_angle_deg? Name it: columns="),
         ("t;knee\n0;1\n1;1\n2;left\n3;1\n", {}, "line 4, column knee: 'left' is not a number"),
@@ -325,6 +327,31 @@ def test_a_velocity_is_taken_for_a_gyro_only_where_it_is_called_one(write):
     segment, said = check(write("\n".join(rows)))
     assert segment.raw_angular_velocity is None
     assert "not read: knee_velocity. A gyro among them is named: columns=" in said
+
+
+@pytest.mark.parametrize(
+    ("kind", "names", "told"),
+    [
+        ("measured", "Motor torque (Nm)", True),
+        ("passive", "Motor torque (Nm)", False),
+        ("measured", "Motor (Nm),Spring (Nm)", False),
+        ("measured", "Motor current (A)", False),
+    ],
+)
+def test_of_a_measured_motion_the_only_column_in_newton_metres_is_the_torque(
+    write, kind, names, told
+):
+    others = [TIME * 0.5 for _ in names.split(",")]
+    path = write("\n".join([f"Time (s),Angle (rad),{names}", *lines((TIME, -TIME, *others))]))
+    path.with_suffix(".toml").write_text(
+        f'[subject]\nkind = "rig"\n[protocol]\nkind = "{kind}"\n', encoding="utf-8"
+    )
+    loaded = load(path)
+    torque = loaded.recording.segments[0].applied_torque
+    assert (torque is not None) is told
+    if told:
+        np.testing.assert_allclose(torque, TIME * 0.5)
+        assert f"{names} as torque_nm (in N m)" in " ".join(loaded.notes)
 
 
 def test_names_that_steer_a_terminal_are_shown_without_it(write):

@@ -129,6 +129,11 @@ class Protocol:
     def __post_init__(self):
         check_words(self)
 
+    @property
+    def measured(self) -> bool:
+        """Is a torque said to be measured, of any segment?"""
+        return "measured" in (self.kind if isinstance(self.kind, tuple) else (self.kind,))
+
 
 @dataclass(frozen=True)
 class Sensors:

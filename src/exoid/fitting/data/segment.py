@@ -35,7 +35,10 @@ def movement(
     segment, said = recording.segments[number], recording.kind(number)
     kind = said or classify(segment) or "passive"
     if kind == "measured" and segment.applied_torque is None:
-        raise ValueError(f"segment {name} is said to be measured, but has no torque_nm column.")
+        raise ValueError(
+            f"segment {name} is said to be measured, but has no torque_nm column. Name it, if it "
+            'is called otherwise: columns={"torque_nm": NAME}.'
+        )
     part = portion(recording, number, kind, clip, name)
     clipped = cut(segment, slice(part.start, part.stop))
     raw = clipped.raw_angle is not None

@@ -59,7 +59,8 @@ def read_table(
         defaults,
     )
     with naming(path):
-        named = named_columns(path, chosen, tables["sensors"].sample_rate)
+        rate, measured = tables["sensors"].sample_rate, tables["protocol"].measured
+        named = named_columns(path, chosen, rate, measured=measured)
         built = build(named, judging(tables["subject"]))
     with naming(sidecar):  # what fails now, with all samples sound, fails by a key
         recording = built.described(tables | {"extra_tables": extra})
@@ -67,13 +68,15 @@ def read_table(
     return recording, tuple(f"{path}: {note}" for note in notes) + key_notes
 
 
-def named_columns(path: Path, chosen: Mapping[str, str], rate: float | None) -> Named:
+def named_columns(
+    path: Path, chosen: Mapping[str, str], rate: float | None, *, measured: bool
+) -> Named:
     """The columns of a table in exoid's own words, or of one in anybody else's."""
     if path.suffix.lower() not in TEXTS:
-        return assemble(read_sheet(path, chosen.values()), chosen, rate)
+        return assemble(read_sheet(path, chosen.values()), chosen, rate, measured=measured)
     text = legible(path)
     if chosen or not is_own(text):
-        return assemble(sheet_of_text(text), chosen, rate)
+        return assemble(sheet_of_text(text), chosen, rate, measured=measured)
     columns, notes = parse_table(text)
     degrees = {
         IN_DEGREES[name]: f"{name}: read as degrees" for name in columns if name in IN_DEGREES

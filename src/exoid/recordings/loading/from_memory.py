@@ -74,7 +74,9 @@ def recording(
     with naming(Path("recording")):
         arrays = {own_name(name): each for name, each in channels.items() if name not in chosen}
         sheet = sheet_of({**arrays_of(data), **arrays}, [*arrays])
-        named = assemble(sheet, chosen, None if tables[2] is None else tables[2].sample_rate)
+        rate = None if tables[2] is None else tables[2].sample_rate
+        measured = tables[1] is not None and tables[1].measured
+        named = assemble(sheet, chosen, rate, measured=measured)
         built = build(named, judging(tables[0]))
         found, more = understand(
             built.described(given(tables)), cut_table, whole=whole, flip=flip, zero=zero

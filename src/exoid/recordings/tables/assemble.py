@@ -41,15 +41,22 @@ class Named:
     notes: Notes
 
 
-def assemble(sheet: Sheet, chosen: Mapping[str, str], rate: float | None = None) -> Named:
+def assemble(
+    sheet: Sheet,
+    chosen: Mapping[str, str],
+    rate: float | None = None,
+    *,
+    measured: bool = False,
+) -> Named:
     """The columns that a recording is made of.
 
     `chosen` maps targets to names in the file; `rate` [Hz] is what the sidecar says, for a file
-    without a time.
+    without a time. Where it says that a torque was `measured`, the only column in N m is that one.
 
     **Raises** `ValueError` where there is no time or no angle, or where it could be several.
     """
     matches = matched(sheet, chosen)
+    matches += torque_by_unit(sheet, matches) if measured else []
     taken = {match.column.name for match in matches}
     columns, sources, units = {}, {}, []
     for match in matches:
@@ -65,7 +72,7 @@ def assemble(sheet: Sheet, chosen: Mapping[str, str], rate: float | None = None)
     if "time_s" not in columns:
         columns["time_s"] = counted(sheet, rate)
         notes.append(f"it has no time: samples are taken {rate or sheet.rate:g} times a second.")
-    check_angle(columns, sheet)
+    check_angle(columns, sheet, taken)
     notes += [f"read {'; '.join(units)}."] if units else []
     others = [column for column in sheet.columns if column.name not in taken]
     unknown = [column.name for column in others]
@@ -107,6 +114,19 @@ def matched(sheet: Sheet, chosen: Mapping[str, str]) -> list[Match]:
         if column is not None:
             found.append(Match(column, target, 1.0 if target == SEGMENT else None, guessed=True))
     return found
+
+
+def torque_by_unit(sheet: Sheet, matches: list[Match]) -> list[Match]:
+    """The measured torque where no name tells it: the only column in N m that is nothing else."""
+    taken = {match.column.name for match in matches}
+    likely = [
+        column
+        for column in sheet.columns
+        if column.name not in taken and size_of(column.unit, UNITS["torque_nm"]) is not None
+    ]
+    if len(likely) != 1 or any(match.target == "torque_nm" for match in matches):
+        return []
+    return [Match(likely[0], "torque_nm", None, guessed=True)]
 
 
 def is_own(name: str) -> bool:
@@ -188,7 +208,7 @@ def found_size(match: Match, numbers: np.ndarray) -> tuple[float, str]:
                 f"column {column.name} is in {column.unit}, but {match.target} is in {si}. Name "
                 "another, or say its true unit, as raw_angle_deg and raw_velocity_rad_s do."
             )
-        return size, plain(column.unit)
+        return size, si if size == 1.0 else plain(column.unit)
     largest = np.nanmax(np.abs(numbers)) if not np.isnan(numbers).all() else 0.0
     if largest > LARGEST_RADIANS.get(si, np.inf):
         return DEGREE, f"{si.replace('rad', 'deg')} by its size"
@@ -213,7 +233,7 @@ def counted(sheet: Sheet, rate: float | None) -> np.ndarray:
     return np.arange(len(sheet.columns[0].cells)) / known
 
 
-def check_angle(columns: Mapping[str, Cells], sheet: Sheet) -> None:
+def check_angle(columns: Mapping[str, Cells], sheet: Sheet, taken: set[str]) -> None:
     if not any(name in columns for name in ANGLES):
         if gyros([*columns, *sheet.names]):
             raise ValueError(
@@ -224,8 +244,19 @@ def check_angle(columns: Mapping[str, Cells], sheet: Sheet) -> None:
         hints = (near(name, NUMERIC, MISSPELT) for name in sheet.names if name not in NUMERIC)
         raise ValueError(
             f"has no angle. It holds: {listed(sheet.names, 40)}.{next(filter(None, hints), '')} "
-            f"Name it: {sheet.ask.format('raw_angle_deg')}."
+            f"Name it: {asked_angle(sheet, taken)}."
         )
+
+
+def asked_angle(sheet: Sheet, taken: set[str]) -> str:
+    """How to name the angle: with the only other column where there is one."""
+    others = [column for column in sheet.columns if column.name not in taken]
+    if len(others) != 1 or '"' in others[0].name:
+        return sheet.ask.format("raw_angle_deg")
+    (one,) = others
+    size = size_of(one.unit, "rad") if one.unit else DEGREE
+    target = "raw_angle_rad" if size == 1.0 else "raw_angle_deg"
+    return sheet.ask.format(target).replace("...", one.name)
 
 
 def gyros(names: Iterable[str]) -> list[str]:
