@@ -62,7 +62,11 @@ MISTAKES = {  # name: what was done, and what the user is told, with and without
         scaled(ANGLES, -1.0, -np.pi / 2),
         'flip="angle"',  # a child's is found in two steps: its gyro first
     ),
-    "zero of an absolute encoder": (scaled(ANGLES, 1.0, np.radians(85)), "or angle_zero_deg in"),
+    "zero of an absolute encoder": (
+        scaled(ANGLES, 1.0, np.radians(85)),
+        'Then say zero="hanging" if 0 is the upright shank, zero="unknown" if it is where this leg '
+        "rests by itself.* An encoder that passes 0 or 360 deg needs angle_zero_deg below",
+    ),
     "where no leg hangs": (scaled(ANGLES, 1.0, -1.2), 'thigh_angle_deg.* gravity = "none"'),
     "straight called 180 deg": (scaled(ANGLES, 1.0, np.pi), "angle_zero_deg = 180"),
     "radians called degrees": (scaled(ANGLES, np.pi / 180), "_rad in place of _deg"),

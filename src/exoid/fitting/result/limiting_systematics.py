@@ -60,7 +60,10 @@ AMISS = (
     " Times by a camera or a node without a crystal may be percents off: d / J goes with them, "
     "m l g / J and c / J with their square (clock_uncertainty)."
 )
-BY_A_FOOT = f"by a foot {np.degrees(SLANT):.2g} deg off in every other leg"
+BY_A_FOOT = (
+    f"in one leg of two {np.degrees(SLANT):.2g} deg, for its foot puts the centre of mass beside "
+    "the shank's line"
+)
 LOOK = "Look what the encoder shows with the knee extended, and give angle_zero_deg."
 CLEAR = 4.0  # errors from which on a value is worth a sentence
 SCALED = 2e-3  # relative disagreement of encoder and gyro below which it is none worth a word

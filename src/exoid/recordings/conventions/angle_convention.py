@@ -33,6 +33,10 @@ ON_ITS_SIDE = (
     "Does the leg lie on its side, so that gravity does not turn it? Then read it as a rig without "
     'gravity: [subject] kind = "rig" and gravity = "none".'
 )
+WRAPS = (
+    "An encoder that passes 0 or 360 deg needs angle_zero_deg below [sensors] in the sidecar: what "
+    "it shows with the knee extended."
+)
 READINGS = (  # how a file may count: the sign, what is added to make it exoid's, its name
     (1.0, 0.0, "0 the extended knee and extension positive", "plain"),
     (-1.0, 0.0, "flexion positive", "flip"),
@@ -151,9 +155,8 @@ def mended(wrong: list[Swing], same: bool, told: str) -> str:
     options = {
         "plain": f"leave out {told}",
         "flip": f'say flip="{flip}"',
-        "hanging": 'say zero="hanging", or zero="unknown" where the leg\'s own rest was called 0, '
-        "or angle_zero_deg in [sensors] of the sidecar, which is what an encoder that passes 0 or "
-        "360 deg shows with the knee extended",
+        "hanging": 'say zero="hanging" if 0 is the upright shank, zero="unknown" if it is where '
+        "this leg rests by itself",
         "both": f'say flip="{flip}" and zero="hanging"',
         "straight": "write angle_zero_deg = 180 below [sensors] in the sidecar, the .toml of the "
         "same name beside it (no option says it)",
@@ -173,7 +176,8 @@ def mended(wrong: list[Swing], same: bool, told: str) -> str:
     names = ", or ".join(name for *_, name, _ in best)
     instead = f", instead of {told}" if told and best[0][3] != "plain" else ""
     mends = ", or ".join(options[each[3]] for each in best)
-    return f"Is {names} in this file? Then {mends}{instead}."
+    wraps = f" {WRAPS}" if any(each[3] == "hanging" for each in best) else ""
+    return f"Is {names} in this file? Then {mends}{instead}.{wraps}"
 
 
 def same_sense(recording: Recording) -> bool:
