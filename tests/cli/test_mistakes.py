@@ -171,6 +171,19 @@ def test_a_file_more_than_a_command_takes_is_refused_with_what_it_takes(command,
 @pytest.mark.parametrize(
     ("given", "said"),
     [
+        ("identify", "it is a function of the library: exoid.identify in Python. Try"),
+        ("plot-fit", "exoid.plot_fit in Python. Try"),
+        ("dropz", "No such command 'dropz'. Did you mean 'drops'? Try"),
+        ("frobnicate", "No such command 'frobnicate'. Try"),
+    ],
+)
+def test_a_function_of_the_library_that_is_no_command_is_said_to_be_one(command, given, said):
+    assert said in refusal(command(given))
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
         (("--body-mass", "159lb"), "this is no plain number; give it in kg, as --body-mass 72"),
         (("--height", "176cm"), "this is no plain number; give it in m, as --height 1.76"),
         (("--zero", "180"), "write angle_zero_deg = 180 below [sensors] of the sidecar"),

@@ -12,6 +12,7 @@ LIBRARIES = ("numpy", "scipy", "jax", "jaxlib", "equinox", "optimistix", "lineax
 ONE_MORE = "Got unexpected extra argument(s) "
 INTERRUPTED = 130  # as shells have it: 128 and the number of the signal
 UNREAD = re.compile(r"Input should be a valid (number|integer), .*")
+UNKNOWN = re.compile(r"No such command '([\w-]+)'")
 BEYOND = re.compile(r"Input should be (greater|less) than( or equal to)? (\S+)")
 INSTEAD = {  # what to do where an option's value is refused
     "--body-mass": "give it in kg, as --body-mass 72 (a pound is 0.4536 kg)",
@@ -74,9 +75,21 @@ def explain_usage(fault: BaseException) -> int:
 
 
 def advised(message: str) -> str:
-    """With what would do instead, where an option's value was refused."""
-    found = (words for option, words in INSTEAD.items() if f"for '{option}'" in message)
-    return "; ".join([message.rstrip("."), *found])
+    """With what would do instead, where an option's value was refused, or no command is called
+    what a function of the library is.
+    """
+    found = [words for option, words in INSTEAD.items() if f"for '{option}'" in message]
+    return "; ".join([message.rstrip("."), *found, *in_python(message)])
+
+
+def in_python(message: str) -> list[str]:
+    """That an unknown command is a function of the library, where it is."""
+    import exoid
+
+    found = UNKNOWN.match(message)
+    name = found[1].replace("-", "_") if found else ""
+    called = name.islower() and name in exoid.__all__
+    return [f"it is a function of the library: exoid.{name} in Python"] if called else []
 
 
 def taken(context) -> str:

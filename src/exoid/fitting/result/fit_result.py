@@ -14,6 +14,7 @@ from exoid.fitting.model.user_values import Means
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result import summary
 from exoid.fitting.result.conditions import Conditions
+from exoid.fitting.result.named import Named
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.term import Term
@@ -167,6 +168,12 @@ class FitResult:
     set_aside: list[str] = field(default_factory=list)  # of the notes: what was not fitted
     gravity_moment: Estimate | None = None  # m l g of the parameters; older files have none
     astray: str | None = None  # why the simulation does not follow the recording, where it does not
+
+    def __post_init__(self) -> None:
+        terms = {name: Named(each) for name, each in self.terms.items()}
+        each = {"parameters": self.parameters, "ratios": self.ratios, "terms": terms}
+        for name, value in each.items():
+            object.__setattr__(self, name, Named(value))
 
     @property
     def follows(self) -> bool:
