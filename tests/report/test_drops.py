@@ -12,6 +12,7 @@ from exoid.pendulum.drop import PendulumTest
 from exoid.pendulum.drops import measure_drops
 from exoid.recordings.recording import Protocol, Recording, Subject
 from exoid.report.document.drops_json import drops_document
+from exoid.report.pictures.drops import index
 from exoid.report.plots.drops import plot_drops
 from exoid.report.plots.fit import save_figure
 from exoid.report.tables.drops import MOST, print_drops, written
@@ -125,6 +126,14 @@ def test_the_figure_marks_the_measures_on_labelled_axes(four):
     leg = Oscillator()
     peaks = leg.rest - np.exp(-leg.decrement * (np.arange(len(flexion.get_xdata())) + 0.5))
     assert np.sort(flexion.get_ydata()) == pytest.approx(np.degrees(np.sort(peaks)), abs=0.3)
+
+
+def test_the_title_of_a_drop_that_was_cut_has_the_expected_index_that_the_table_has(four):
+    (cut,) = (each for each in four.drops if each.added_mass)
+    expected = cut.measures["expected_relaxation_index"].value
+    assert cut.measures["relaxation_index"].value is None
+    assert index(cut) == f"expected relaxation index {expected:.3f}"
+    assert index(four.drops[0]).startswith("relaxation index 1.7")
 
 
 def test_flexion_and_extension_differ_in_shape_and_in_lightness(four):

@@ -49,10 +49,14 @@ def power_of(size: float) -> int:
     return 0 if PLAIN[0] <= size < PLAIN[1] or size == 0 else exponent(size)
 
 
-def view(needed: list[float], others: Float[np.ndarray, " value"]) -> Range:
-    """All that is needed; of the others what lies near enough not to dwarf it."""
+def view(
+    needed: list[float], others: Float[np.ndarray, " value"], grown: float = GROWN
+) -> Range:
+    """All that is needed; of the others what lies near enough not to dwarf it: the view is at most
+    `grown` times what is needed.
+    """
     low, high = min(needed or others), max(needed or others)
-    spare = (GROWN - 1) * (high - low) if high > low else np.inf
+    spare = (grown - 1) * (high - low) if high > low else np.inf
     below, above = low - min([low, *others]), max([high, *others]) - high
     if below + above > spare:
         below, above = (

@@ -9,7 +9,7 @@ from exoid.recordings.landmarks.track import HALF
 from exoid.report.pictures.motion import TIME
 from exoid.report.pictures.panel import Axis, Band, Line, Mark, Panel, Picture, Points, Rule, Span
 from exoid.report.pictures.role import Role
-from exoid.report.tables.drops import loaded, unit_of, value
+from exoid.report.tables.drops import EXPECTED, loaded, unit_of, value
 
 BELOW = 8.0  # deg under the curve, where the period is drawn
 SIZES = (4.8, 2.4, 2.4)
@@ -46,9 +46,12 @@ def derivative(drop: Drop, kind: str, unit: str, time, samples) -> Panel:
 
 
 def index(drop: Drop) -> str:
-    """The relaxation index, for the title."""
-    found = drop.measures["relaxation_index"].value
-    return "no relaxation index" if found is None else f"relaxation index {found:.3f}"
+    """The relaxation index, for the title; of a drop that was cut or caught the expected one."""
+    for name in ("relaxation_index", EXPECTED):
+        each = drop.measures[name]
+        if each.value is not None:
+            return f"{each.title} {each.value:.3f}"
+    return "no relaxation index"
 
 
 def rest(drop: Drop) -> tuple[Mark, ...]:

@@ -16,6 +16,7 @@ PAIRS = (("mass", "com_distance"), ("inertia", "stiffness"), ("inertia", "dampin
 NO_REASON = "the recording does not tell"
 LINEAR = 10.0  # cost over best cost, up to which a linear axis shows all starts
 SIZE = 4.0
+FAMILY = 30.0  # times the chosen one with its errors: a tenfold m or J is in it
 Known = tuple[float | None, float | None]  # a value and its error
 
 
@@ -82,7 +83,7 @@ def family_of(result: FitResult, pair: tuple[str, str]) -> Panel:
     known = members.keys() >= {*pair}
     points = np.array([members[name] for name in pair]) if known else np.zeros((2, 0))
     sets = (Points(Role.MEMBER, points[0], points[1]),) if points.size else ()
-    views = [view(marked(each), row) for each, row in zip(both, points, strict=True)]
+    views = [view(marked(each), row, FAMILY) for each, row in zip(both, points, strict=True)]
     axes = [
         Axis(f"{in_words(name)} `{each.symbol}`", each.unit, seen)
         for name, each, seen in zip(pair, both, views, strict=True)
