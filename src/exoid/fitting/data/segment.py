@@ -13,9 +13,11 @@ from exoid.recordings.signal.both_sensors.clean import clean
 from exoid.recordings.signal.condition import SMOOTHING, classify, cut
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.turns import turns
+from exoid.recordings.tables.sheet import listed
 
 WHOLE = 0.5  # of its travel: by how much a whole cycle turns back
 MOST_RETURNS = 3  # of a cycle, with what rings behind it
+NAMED = 8  # times of cycles in a sentence
 REVERSED = -0.5  # of the angle's own slope: below it a gyro turns the other way
 
 
@@ -48,7 +50,7 @@ def movement(
     assert angle is not None  # a Segment has one or the other
     check_sense(clipped, angle, velocity, name)
     if kind == "active":
-        check_one_cycle(angle, name)
+        check_one_cycle(clipped, angle, name)
     noises = (cleaned.angle, cleaned.velocity) if raw else (None, None)
     whole = Movement(
         name=name,
@@ -94,12 +96,17 @@ def check_sense(segment: Segment, angle: Samples, velocity: Samples | None, name
         )
 
 
-def check_one_cycle(angle: Samples, name: str) -> None:
+def check_one_cycle(segment: Segment, angle: Samples, name: str) -> None:
     """Refuse voluntary cycles behind one another as one: Eq. 10 is the torque of one of them."""
-    times = turns(angle[~np.isnan(angle)], WHOLE).size // 2
+    known = ~np.isnan(angle)
+    places = turns(angle[known], WHOLE)
+    times = places.size // 2
     if times > MOST_RETURNS:
+        back = segment.begins + segment.time[known][places[2::2]]
         raise ValueError(
-            f"segment {name} goes to and fro {times} times: Eq. 10 is the torque of one cycle. "
-            "Number the cycles in a column called segment, each from rest to rest, or mark each "
-            'with a key while it is recorded. A leg that swings by itself is kind = "passive".'
+            f"segment {name} goes to and fro {times} times: Eq. 10 is the torque of one cycle, "
+            "which begins and ends at rest. Number the cycles in a column called segment. Times "
+            f"[s] at which it is back: {listed([f'{each:.1f}' for each in back], NAMED)}. Where it "
+            "does not rest there, record again with a pause behind each cycle, or mark each with a "
+            'key. A leg that swings by itself is kind = "passive".'
         )
