@@ -221,12 +221,15 @@ def test_a_result_is_still_written_when_nobody_reads_the_table(command, recordin
     assert "ratios" in json.loads((tmp_path / "fit.json").read_text(encoding="utf-8"))
 
 
-def test_ctrl_c_ends_it_at_once_with_one_line(command, recordings, tmp_path):
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_ctrl_c_or_a_batch_system_ends_it_at_once_with_one_line(
+    command, recordings, tmp_path, number
+):
     running = command.start(
         "fit", recordings / "drop.csv", "--multistart", 100_000, "--json", tmp_path / "fit.json"
     )
     time.sleep(4.0)  # past its imports on a busy machine too, far from its end
-    running.send_signal(signal.SIGINT)
+    running.send_signal(number)
     try:
         _, said = running.communicate(timeout=20)
     finally:

@@ -12,7 +12,7 @@ import pytest
 from exoid.fitting.solve.compiled import kept_program
 from exoid.fitting.solve.compiled.kept_program import alone_at
 from exoid.fitting.solve.cores import ahead as made_ahead
-from exoid.fitting.solve.cores.ahead import ahead, beside, is_missing
+from exoid.fitting.solve.cores.ahead import ahead, beside, end_all, is_missing
 from exoid.fitting.solve.cores.second_process import SecondProcess
 
 
@@ -54,6 +54,28 @@ def test_what_still_runs_in_the_second_process_ends_with_the_diagnosis():
         (process,) = made_ahead._offered[0].process.pool._processes.values()
     process.join(10)
     assert not process.is_alive()
+
+
+@pytest.mark.usefixtures("two_cores")
+def test_who_ends_while_a_thread_computes_ends_what_that_one_began(tmp_path):
+    """An interrupt finds the main thread; the one that computes is left where it is."""
+    going = threading.Event()
+
+    def compute() -> None:
+        with ahead(leave, "first", tmp_path):
+            is_missing(int)
+            going.wait()
+
+    thread = threading.Thread(target=compute)
+    thread.start()
+    try:
+        waited_for(tmp_path / "first")
+        (process,) = made_ahead._offered[0].process.pool._processes.values()
+        end_all()
+        assert not process.is_alive()
+    finally:
+        going.set()
+        thread.join()
 
 
 def start_and_stay(folder: Path) -> None:

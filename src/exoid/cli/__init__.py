@@ -5,6 +5,7 @@ import os
 import sys
 
 from exoid.cli.terminal.faults import INTERRUPTED, complain, explain
+from exoid.cli.terminal.stopping import end_beside, end_in_order
 from exoid.cli.terminal.streams import lost_output, outlast_readers
 
 # Small matrices only: threads of the linear algebra library cost more than they bring.
@@ -19,6 +20,7 @@ def main() -> None:
     try:
         gc.set_threshold(OBJECTS)
         outlast_readers()
+        end_in_order()
         silence_libraries()
         from exoid.cli.app import app
 
@@ -27,6 +29,8 @@ def main() -> None:
             code = explain(KeyboardInterrupt())
     except (Exception, KeyboardInterrupt, SystemExit) as fault:
         code = explain(fault)
+    if code == INTERRUPTED:
+        end_beside()
     if (lost := lost_output()) is not None:
         code = complain(
             f"standard output: {lost.strerror}. What was said there is cut. Make room, or send it "

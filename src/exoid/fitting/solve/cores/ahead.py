@@ -65,6 +65,12 @@ def ahead(task: Callable[..., Any], *arguments: Any) -> Iterator[None]:
         offered.close()
 
 
+def end_all() -> None:
+    """Whoever ends this process, while other threads still compute, ends theirs as well."""
+    for each in list(_offered):
+        each.close()
+
+
 def is_missing(prepare: Callable[..., None], *given: Any) -> None:
     """A program is missing; `prepare`, so given, readies a second process to make others."""
     for each in _offered:
