@@ -49,9 +49,7 @@ def power_of(size: float) -> int:
     return 0 if PLAIN[0] <= size < PLAIN[1] or size == 0 else exponent(size)
 
 
-def view(
-    needed: list[float], others: Float[np.ndarray, " value"], grown: float = GROWN
-) -> Range:
+def view(needed: list[float], others: Float[np.ndarray, " value"], grown: float = GROWN) -> Range:
     """All that is needed; of the others what lies near enough not to dwarf it: the view is at most
     `grown` times what is needed.
     """

@@ -87,7 +87,7 @@ class Leg:
         yield from self.taken(readings[begin:])
 
     def cut_by(self, after: Reading) -> Iterator[LegDrop | LeftOut]:
-        """The drop that a pause ends before another weight is on: its own estimator sees no more."""
+        """The drop that a pause ends, behind which another weight is on."""
         for news in self.taken([after]):
             if not isinstance(news, Moment):
                 yield news
