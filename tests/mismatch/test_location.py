@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from exoid.mismatch.conclude.verdict.own_torques import of_own_torques, own_torques
-from exoid.mismatch.evidence.locate import between
+from exoid.mismatch.evidence.locate import between, regions_of
 from exoid.mismatch.evidence.location import Location, Missing, Region
 
 OWN, ADDED = 0.33, 0.2  # kg m^2, of the leg and of a known mass on it
@@ -61,3 +61,13 @@ def test_torques_of_segments_are_told_over_an_inertia_that_is_a_guess():
         own, 0.5, guessed=False
     )
     assert "+0.6 1/s^2 in segment 0, -0.3 1/s^2" in of_own_torques(own, 0.5, guessed=True)
+
+
+@pytest.mark.parametrize(("size", "named"), [(0.15, 0), (0.5, 2)])
+def test_no_place_is_named_inside_the_noise(size, named):
+    """A torque along a square wave, as a model has it, beside sensors that tell 0.1 N m."""
+    time = np.arange(100) / 100
+    wave = size * np.sign(0.5 - time)
+    noise = 0.01 * np.cos(50 * time)
+    each = Missing("", time, time, time, wave + noise, 0.1, wave, 3, OWN)
+    assert len(regions_of(each)) == named

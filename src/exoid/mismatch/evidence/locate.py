@@ -10,7 +10,14 @@ from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.equation import equation
 from exoid.fitting.model.coordinates import Unknowns, of_owner
 from exoid.fitting.solve.program_cache import called
-from exoid.mismatch.evidence.location import Location, Missing, Region, Samples, described
+from exoid.mismatch.evidence.location import (
+    OPEN,
+    Location,
+    Missing,
+    Region,
+    Samples,
+    described,
+)
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.measured_motion import FREE, drive_of
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
@@ -127,11 +134,10 @@ def between(missing: list[Missing]) -> float:
 
 
 def regions_of(each: Missing) -> list[Region]:
-    """The stretches where the torque is clear and strong."""
+    """The stretches where the torque is strong, and beyond what the sensors leave open."""
     torque = each.torque if each.modelled is None else each.modelled
-    least = STRONG * float(np.quantile(np.abs(torque), LARGEST))
-    if each.modelled is None:
-        least = max(CLEAR * each.band, least)
+    beyond = CLEAR if each.modelled is None else OPEN
+    least = max(beyond * each.band, STRONG * float(np.quantile(np.abs(torque), LARGEST)))
     sign = np.where(np.abs(torque) > least, np.sign(torque), 0.0)
     edges = np.flatnonzero(np.diff(sign)) + 1
     found = []

@@ -10,6 +10,7 @@ Samples = Float[np.ndarray, " sample"]
 
 ALONE = 0.3  # of the variance of what is missing, from which on something alone explains it
 APART = 0.1  # of it, by which one explains more than another
+OPEN = 2.0  # standard deviations, within which the sensors leave a torque open
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,7 +7,7 @@ import numpy as np
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.answer.over_inertia import guessed
-from exoid.mismatch.evidence.location import Location
+from exoid.mismatch.evidence.location import OPEN, Location
 from exoid.report.pictures.motion import TIME
 from exoid.report.pictures.panel import Axis, Band, Cloud, Line, Panel, Picture, Rule
 from exoid.report.pictures.role import Role
@@ -58,7 +58,7 @@ def torque_of(location: Location, number: int, called: Called = TORQUE) -> Panel
     regions = [region for region in location.regions if region.segment == each.segment]
     modelled = () if each.modelled is None else (Line(Role.MODELLED, each.time, each.modelled),)
     marks = (
-        Band(Role.TORQUE_NOISE, -2 * each.band, 2 * each.band),
+        Band(Role.TORQUE_NOISE, -OPEN * each.band, OPEN * each.band),
         *(Band(Role.STRONGEST, each.begin, each.end, upright=True) for each in regions),
         Line(Role.TORQUE, each.time, each.torque),
         *modelled,
