@@ -95,3 +95,29 @@ def test_samples_of_a_buffer_that_is_emptied_at_once_are_compared():
         measured = observation.angle_weight[number][rows] > 0
         off = reference.angle - observation.angle[number][rows]
         assert np.abs(off[measured]).max() < 0.1  # rad: 10 ms at 5 rad/s, and noise
+
+
+@pytest.mark.parametrize("late", [(0.006, 0.006), (0.004, -0.009), (0.0, 0.003)])
+def test_delays_that_differ_are_told_of_each_segment(late):
+    """The gyro's times of two drops, moved; where both are moved alike, one delay is told."""
+    observation = seen()
+    rows = zip(observation.time, observation.angular_velocity, late, strict=True)
+    moved = np.stack([np.interp(time - by, time, rate) for time, rate, by in rows])
+    moved = eqx.tree_at(lambda o: o.angular_velocity, observation, moved)
+    (skew,) = (one for one in consistency(moved, Yardstick).errors if one.name == "sensor_skew")
+    assert [one.number for one in skew.own] == ([] if len({*late}) == 1 else [0, 1])
+    for one in skew.own:  # what interpolation smooths of the noise: as in the tests above
+        assert abs(one.value - late[one.number]) < 5 * one.standard_error + 1e-4
+
+
+def test_recordings_may_each_have_their_own_delay():
+    """As two loggers: a model has a delay of each, and nothing differs that it does not have."""
+    observation = seen()
+    shift = np.array([0.004, -0.009])[:, None]
+    rows = zip(
+        observation.time - shift, observation.time, observation.angular_velocity, strict=True
+    )
+    late = np.stack([np.interp(*row) for row in rows])
+    both = eqx.tree_at(lambda o: o.angular_velocity, observation, late)
+    both = eqx.tree_at(lambda o: o.owner, both, np.array([0, 1]))
+    assert not any(one.own for one in consistency(both, Yardstick).errors)

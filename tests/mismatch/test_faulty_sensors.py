@@ -1,6 +1,6 @@
 """Diagnoses of legs that obey Eq. 9 or rub, as faulty sensors show them; made by SciPy."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -106,3 +106,14 @@ def test_a_gain_of_the_encoder_makes_no_torque_beside_the_drag_of_a_leg(gain):
     assert "encoder_gain + quadratic_drag" in {
         " + ".join(sorted(each.split(" + "))) for each in found.equivalent
     }
+
+
+def test_nothing_is_claimed_of_a_leg_whose_gyro_has_another_delay_in_each_drop():
+    each = [drops(Faults(delay=by)) for by in (0.004, -0.009, 0.015)]
+    segments = tuple(one.segments[number] for number, one in enumerate(each))
+    found = diagnose(replace(each[0], segments=segments), multistart=4)
+    assert found.verdict == "cannot_tell"
+    assert "the gyro late by -9 to 15 ms" in " ".join(found.reasons)
+    (skew,) = (one for one in found.sensors if one.name == "sensor_skew")
+    assert [one.value for one in skew.own] == pytest.approx([0.004, -0.009, 0.015], abs=5e-4)
+    assert any("one clock" in each for each in found.advice)

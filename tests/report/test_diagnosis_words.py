@@ -13,7 +13,7 @@ from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.result.fit_result import Estimate
 from exoid.fitting.result.remarks.remarks import ASK_DIAGNOSE
 from exoid.mismatch.answer.diagnosis import Booked, Finding, NovelTorque, Parameter, Suspect
-from exoid.mismatch.sensors.agreement import SensorError
+from exoid.mismatch.sensors.agreement import OwnValue, SensorError
 from exoid.physics.sensing.clock_rate import ClockRate
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
@@ -85,6 +85,17 @@ def test_two_numbers_of_one_error_are_told_apart():
     said = biased(0.0044, 0.0087)
     assert "as if by gyro bias 0.2521 ± 0.0057 deg/s" in said
     assert said.endswith("were there no dry friction: beside that it is as large as named above.")
+
+
+def test_delays_that_differ_between_segments_are_each_told():
+    """The one that all of them would have is none of theirs, however sure it seems."""
+    own = [OwnValue(0, 0.004, 3e-5), OwnValue(1, -0.009, 2e-5)]
+    skew = SensorError("sensor_skew", 0.001, 9e-5, "s", own)
+    one = replace(found(), sensors=[SensorError("gyro_scale", 0.1, 0.001, "1"), skew])
+    said = sentences(one)["Sensors"]
+    assert "late by 4 ms in segment leg 0, -9 ms in segment leg 1 (± 0.03 ms" in said
+    assert "sensor skew" not in said
+    assert "as if by gyro scale" in said
 
 
 def test_a_cause_that_the_fit_has_and_nobody_claims_is_said_to_be_uncertain():

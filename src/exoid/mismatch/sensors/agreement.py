@@ -46,6 +46,15 @@ class Sure:
         return tuple(one.fault.term for one in self.errors)
 
 
+@dataclass(frozen=True)
+class OwnValue:
+    """An error as one segment has it by itself."""
+
+    number: int  # of the segment
+    value: float
+    standard_error: float
+
+
 @dataclass(frozen=True, eq=False)
 class SensorError:
     """What the gyro does against the encoder."""
@@ -54,6 +63,7 @@ class SensorError:
     value: float
     standard_error: float
     unit: str
+    own: list[OwnValue] = field(default_factory=list)  # of each segment, where these differ
 
     @property
     def clear(self) -> bool:

@@ -1,11 +1,12 @@
 """Encoder against gyro at a leg's pace: the clock of what moves more quickly is slowed down."""
 
 from dataclasses import replace
+from typing import TypeVar
 
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
-from exoid.mismatch.sensors.agreement import Consistency, Sure, SureError
+from exoid.mismatch.sensors.agreement import Consistency, OwnValue, SensorError, Sure, SureError
 from exoid.mismatch.sensors.consistency import consistency
 from exoid.mismatch.sensors.sure import Measuring
 from exoid.physics.parameter import declarations
@@ -26,9 +27,7 @@ def compared_at_ease(seen: Observation, measuring: Measuring, slow: float) -> Co
     )
     errors = [
         replace(
-            each,
-            value=each.value * slow ** POWERS[each.unit],
-            standard_error=each.standard_error * slow ** POWERS[each.unit],
+            scaled(each, slow ** POWERS[each.unit]), own=[scaled(one, 1 / slow) for one in each.own]
         )
         for each in found.errors
     ]
@@ -42,6 +41,13 @@ def compared_at_ease(seen: Observation, measuring: Measuring, slow: float) -> Co
     ]
     sure = Sure(tuple(hastened(each, slow) for each in found.sure.errors), found.sure.alike)
     return Consistency(errors, references, sure)
+
+
+Told = TypeVar("Told", SensorError, OwnValue)
+
+
+def scaled(each: Told, factor: float) -> Told:
+    return replace(each, value=each.value * factor, standard_error=each.standard_error * factor)
 
 
 def hastened(each: SureError, slow: float) -> SureError:

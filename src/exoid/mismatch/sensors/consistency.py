@@ -3,12 +3,15 @@
 What only a sensor can have done is seen here first, so that no torque is ever blamed for it.
 """
 
+from dataclasses import replace
+
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
-from exoid.mismatch.sensors.agreement import Consistency, SensorError
+from exoid.mismatch.sensors.agreement import DELAY, Consistency, SensorError
 from exoid.mismatch.sensors.compare import Compared, Measured, compare, with_right_gyros
 from exoid.mismatch.sensors.faults import USUAL, Fault
+from exoid.mismatch.sensors.own_delays import own_delays
 from exoid.mismatch.sensors.smooth import Reference, smooth
 from exoid.mismatch.sensors.strikes import beside, strikes
 from exoid.mismatch.sensors.sure import Measuring, surely
@@ -33,6 +36,8 @@ def consistency(seen: Observation, measuring: Measuring) -> Consistency:
     others = tuple(one for one in sure.faults if one not in USUAL)
     found = compare(segments, struck, (*USUAL, *others)) if others else usual
     errors = [error_of(found, one) for one in USUAL]
+    own = own_delays(segments, struck, np.asarray(seen.owner).tolist())
+    errors = [replace(one, own=own) if one.name == DELAY else one for one in errors]
     return Consistency(errors, references(segments, found, errors), sure)
 
 

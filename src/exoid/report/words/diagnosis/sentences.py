@@ -6,7 +6,7 @@ from math import hypot
 from exoid.fitting.result.remarks.noise_remarks import of_play, times_off
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.answer.over_inertia import OVER, guessed
-from exoid.mismatch.sensors.agreement import SensorError
+from exoid.mismatch.sensors.agreement import OwnValue, SensorError
 from exoid.recordings.tables.sheet import listed
 from exoid.report.words.diagnosis.asserted import only_sensors, only_usual, parted, reason
 from exoid.report.words.diagnosis.cause import explanations, for_inertia, named, parameter
@@ -96,9 +96,10 @@ def sensors(found: Diagnosis) -> str:
 def of_each_other(found: Diagnosis) -> str:
     if not found.sensors:
         return "no gyro: encoder and gyro cannot be compared."
-    clear = [each for each in found.sensors if each.clear]
+    own = [of_segments(each.own, found) for each in found.sensors if each.own]
+    clear = [each for each in found.sensors if each.clear and not each.own]
     if not clear:
-        return "encoder and gyro agree."
+        return " ".join(own) or "encoder and gyro agree."
     told = {each.name: each for each in clear if among_others(each, found)}
     above = [in_words(name) for name, each in told.items() if agrees(each, found)]
     alone = [each for name, each in told.items() if in_words(name) not in above]
@@ -106,7 +107,18 @@ def of_each_other(found: Diagnosis) -> str:
     said = [f"by the {listed(above)} that is named above"] if above else []
     said += [f"as if by {listed(list(map(parameter, others)))} ({BY_NOISE})"] if others else []
     said += [as_if_alone(alone, found)] if alone else []
-    return f"encoder and gyro differ {', and '.join(said)}."
+    return " ".join([*own, f"encoder and gyro differ {', and '.join(said)}."])
+
+
+def of_segments(delays: list[OwnValue], found: Diagnosis) -> str:
+    """How late the gyro is in each segment by itself."""
+    names = [each.segment for each in found.location.missing]
+    each = [f"{1e3 * one.value:.2g} ms in segment {names[one.number]}" for one in delays]
+    error = 1e3 * max(one.standard_error for one in delays)
+    return (
+        f"encoder and gyro lie apart by another time in each segment: the gyro is late by "
+        f"{listed(each)} (± {error:.1g} ms by noise alone; below 0 it is early)."
+    )
 
 
 def among_others(each: SensorError, found: Diagnosis) -> bool:
