@@ -27,7 +27,7 @@ def beside_a_hand(later: Diagnosis, whole: Diagnosis) -> Diagnosis:
     work = whole.workings
     assert work is not None  # it was just made
     best = work.best
-    (suspect,) = suspects(work.found, [best], best)
+    (suspect,) = suspects(work.found, [best], best, whole.proof.after.fits)
     suspect = beside(suspect, later.before)
     then = [*later.advice, *advice([best], "cannot_tell", None, len(later.before.segments))]
     return replace(

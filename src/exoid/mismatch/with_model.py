@@ -96,7 +96,7 @@ def unclaimed(found: Diagnosis, reasons: list[str]) -> Diagnosis:
     own, best = just_made(found).found, just_made(found).best
     each = likely(own)
     nothing: dict[str, Any] = {"findings": [], "novel": False, "formula": None}
-    suspected = suspects(own, each, best)
+    suspected = suspects(own, each, best, found.proof.after.fits)
     prepared = own.prepared
     then = advice(each[:2], "cannot_tell", None, prepared.segments, driven=prepared.driven)
     more: dict[str, Any] = {"suspected": suspected, "advice": then}

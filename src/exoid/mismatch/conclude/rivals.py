@@ -1,5 +1,6 @@
 """What this recording cannot tell from the answer, and what that leaves unknown of the leg."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -11,7 +12,7 @@ from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect, Verdict
 from exoid.mismatch.conclude.numbers import moved, parameters_of
 from exoid.mismatch.evidence.yardstick import APART
 from exoid.mismatch.novel.formula import Formula
-from exoid.mismatch.screen.hypothesis import Optimum
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.search.found import Found, Workings, names, words
 from exoid.physics.term import of_alike, pushing_alike
 
@@ -38,12 +39,17 @@ def likely(found: Found) -> list[Optimum]:
     return [one for one in found.singles if found.followed(one) > SUSPECT]
 
 
-def suspects(found: Found, each: list[Optimum], best: Optimum) -> list[Suspect]:
-    """What the likeliest causes would make of the leg's numbers; the one that is named is first."""
+def suspects(
+    found: Found, each: list[Optimum], best: Optimum, fits: Sequence[Hypothesis] = ()
+) -> list[Suspect]:
+    """What the likeliest causes would make of the leg's numbers; the one that is named is first.
+    Of the best there are `fits` without each part of the data.
+    """
     each = sorted(each, key=lambda one: one is not best)[:SUSPECTS]
+    own = [parameters_of(found, one, None, fits if one is best else ()) for one in each]
     return [
-        Suspect(names(one), moved(found, found.base, one), parameters_of(found, one, None))
-        for one in each
+        Suspect(names(one), moved(found, found.base, one), sizes)
+        for one, sizes in zip(each, own, strict=True)
     ]
 
 
