@@ -5,13 +5,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from exoid.fitting.data.observe import observe
+from exoid.fitting.data.segment import movement
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.result.fit_result import Estimate
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.conclude.verdict.cannot_tell import chance, faint, luck, unlike_a_leg, vague
+from exoid.mismatch.conclude.verdict.in_few_segments import alone_in, why
 from exoid.mismatch.novel.dictionary import dictionary
 from exoid.mismatch.novel.formula import Formula
 from exoid.recordings.recording import Subject
+from exoid.twin.motion import Movement
+from fit_cases import recorded
 
 
 @pytest.mark.parametrize(
@@ -27,6 +32,25 @@ def test_what_other_segments_would_contradict_is_not_asserted(share, doubted):
 )
 def test_what_chance_makes_nearly_as_clear_is_not_asserted(usual, claimed, doubted):
     assert bool(luck(Chance(0.01, usual, claimed))) == doubted
+
+
+@pytest.mark.parametrize(
+    ("starts", "alone"),
+    [
+        ((-10.0, -12.0, -40.0), []),
+        ((-12.0, -10.0, -40.0), []),  # by 2 deg no one goes farther
+        ((-10.0, -25.0, -40.0), ["goes farther", "moves faster"]),
+    ],
+)
+def test_a_segment_that_goes_beyond_the_others_may_show_what_they_cannot(starts, alone):
+    session = recorded(*(Movement(np.radians(start), 2.3) for start in starts))
+    seen = observe([movement(session, k, str(k)) for k in range(3)], "1/T")
+    assert alone_in(seen, 0, [1, 2]) == alone
+    assert ("physics of the leg acts in all of them" in why(alone)) is (not alone)
+    assert ("goes farther and moves faster than the others" in why(alone)) is bool(alone)
+    loaded = replace(seen, added_mass=np.array([2.0, 0.0, 0.0]))
+    assert alone_in(loaded, 0, [1, 2]) == ["carries another mass"]
+    assert alone_in(loaded, 1, [0, 2]) == alone_in(seen, 1, [2])
 
 
 def test_no_two_causes_are_claimed_where_hardly_more_than_noise_is_missing():

@@ -8,10 +8,8 @@ from exoid.fitting.result.remarks.anatomy_remarks import at_rate, from_anatomy, 
 from exoid.fitting.result.remarks.stopped_remarks import of_stopped
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.evidence.prediction import Proof
-from exoid.mismatch.evidence.yardstick import UNEXPLAINED
 from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
-from exoid.mismatch.screen.optimise import FEWER_ROUNDS, FLOOR, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.anatomy.expected import STRANGE
 from exoid.physics.term import SensorTerm
@@ -20,7 +18,6 @@ from exoid.recordings.signal.noise import of_hidden_noise
 
 SHORTEST = 1.5  # s of movement in all, about one swing of a leg
 QUIETEST = np.radians(12.0)  # rad, of movement: less is within straps and skin
-FEW = 1 / 3  # of the segments, in which something may have happened once
 CYCLES = 3  # that a claim about the leg needs where all are voluntary
 MOSTLY = 0.5  # of resampled segments must give the same answer
 HALF = 0.5  # of the variance of what is missing, that a formula must explain
@@ -71,32 +68,6 @@ def unrelaxed(prepared: PreparedRecording, best: Optimum) -> list[str]:
     return [
         f"{' and '.join(remembering)} fits best, but not down to the noise: how the leg was moved "
         "before it was held is unknown. Hold it still for 10 s before each release"
-    ]
-
-
-def once(prepared: PreparedRecording, best: Optimum) -> list[str]:
-    """That the best explains all but a few segments: what happened there is no physics of the leg,
-    which acts in all of them.
-    """
-    seen = prepared.seen
-    counts = (seen.angle_weight > 0).sum(axis=1) + (seen.velocity_weight > 0).sum(axis=1)
-    excess = best.products.each[:, -1, -1] - counts
-    few, others = np.split(np.argsort(-excess), [int(FEW * counts.size)])
-    if not few.size:
-        return []
-    kept = np.isin(np.arange(counts.size), others)
-    left = settle_free(
-        prepared, best.candidate, seen.weighed(kept[:, None]), rounds=FEWER_ROUNDS
-    ).square
-    if left > FLOOR * counts[others].sum():
-        return []
-    odd = [k for k in sorted(few) if excess[k] > (UNEXPLAINED - 1) * counts[k]]
-    if not odd:
-        return []
-    names = ", ".join(prepared.problem.movements[k].name for k in odd)
-    return [
-        f"what remains lies in segment {names} alone, and physics of the leg acts in all of them: "
-        "a hand may have touched it there. Leave it out, or record it again"
     ]
 
 

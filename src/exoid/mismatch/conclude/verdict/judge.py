@@ -17,12 +17,12 @@ from exoid.mismatch.conclude.verdict.cannot_tell import (
     faint,
     filtered_away,
     luck,
-    once,
     too_little,
     unrelaxed,
     unsure,
     vague,
 )
+from exoid.mismatch.conclude.verdict.in_few_segments import once
 from exoid.mismatch.conclude.verdict.moved_by_tone import WITHOUT_TONE, moved_by_tone
 from exoid.mismatch.conclude.verdict.nothing_missing import of_what_hides, of_zeros
 from exoid.mismatch.conclude.verdict.own_torques import RELAXED, of_own_torques, own_torques
