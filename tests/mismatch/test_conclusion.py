@@ -22,6 +22,7 @@ from exoid.mismatch.conclude.rivals import ONE_AT_A_TIME, REPEAT, advice
 from exoid.mismatch.conclude.verdict.cannot_tell import unrelaxed
 from exoid.mismatch.conclude.verdict.undecided import undecided
 from exoid.mismatch.evidence.prediction import Prediction, improves
+from exoid.mismatch.evidence.proof import beginning
 from exoid.mismatch.missing_physics import noise_alone
 from exoid.mismatch.novel.dictionary import dictionary
 from exoid.mismatch.novel.formula import Formula
@@ -66,6 +67,20 @@ def test_sizes_that_differ_between_parts_of_the_data_have_the_error_of_their_mea
     assert jackknifed(found, best, fits) == pytest.approx([sizes.var(ddof=1) / 4])
     assert jackknifed(found, best, []) == pytest.approx([0.0])
     assert jackknifed(found, leaving(3000.0), [NOTHING, NOTHING]).size == 0
+
+
+@pytest.mark.parametrize(
+    ("segments", "term", "more"),
+    [(2, ZeroDrift, [5]), (3, ZeroDrift, []), (2, CoulombFriction, [])],
+)
+def test_a_zero_that_moves_is_a_held_out_segments_own_where_one_other_tells_none(
+    segments, term, more
+):
+    """Of 4 unknowns of the leg, a gyro's bias and an encoder's zero, and the term's."""
+    prepared = Mock(spec=PreparedRecording, segments=segments)
+    prepared.numbers = SimpleNamespace(own=(np.array([2, 3, 3]),))
+    one = explaining(1000.0, term).candidate
+    assert beginning(prepared, 1, one) == [3, *more]
 
 
 def test_what_leaves_only_noise_is_certain_where_its_rivals_leave_clearly_more():

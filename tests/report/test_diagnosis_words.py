@@ -5,6 +5,7 @@ from io import StringIO
 from typing import Any
 
 import jax.numpy as jnp
+import numpy as np
 import pytest
 from diagnosis_by_hand import doubtful, found, nothing, novel
 from rich.console import Console
@@ -22,6 +23,7 @@ from exoid.report.words.astray import astray
 from exoid.report.words.diagnosis.asserted import ran_free
 from exoid.report.words.diagnosis.cause import parameter
 from exoid.report.words.diagnosis.leg import beside
+from exoid.report.words.diagnosis.remainder import remains
 from exoid.report.words.diagnosis.sentences import sentences
 from exoid.report.words.diagnosis.used import used
 from exoid.report.words.diagnosis.verdict import headline, verdict
@@ -96,6 +98,17 @@ def test_delays_that_differ_between_segments_are_each_told():
     assert "late by 4 ms in segment leg 0, -9 ms in segment leg 1 (± 0.03 ms" in said
     assert "sensor skew" not in said
     assert "as if by gyro scale" in said
+
+
+def test_a_zero_that_one_segment_does_not_tell_is_said_to_be_the_segments_own():
+    """Of two segments: how far it moves from one to the next, the other does not tell."""
+    one = found()
+    drifting = replace(one, best=replace(one.best, terms=["zero_drift"]))
+    assert "each from the other but for its own zero" in sentences(drifting)["Remains"]
+    assert "each from the others)" in sentences(one)["Remains"]
+    more = replace(one.proof.after, squares=np.ones(3))
+    three = replace(drifting, proof=replace(one.proof, before=more, after=more))
+    assert "each from the others)" in remains(three)
 
 
 def test_a_cause_that_the_fit_has_and_nobody_claims_is_said_to_be_uncertain():

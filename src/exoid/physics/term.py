@@ -57,6 +57,7 @@ class Term(eqx.Module):
     memory_size: ClassVar[int] = 0  # of a state of its own
     lasting: ClassVar[bool] = False  # may the state outlast that the leg is held before a drop
     begun: ClassVar[str] = ""  # the parameter that says how the state begins
+    moves_zero: ClassVar[bool] = False  # does it move the encoder's zero between segments
     jumps: ClassVar[bool] = False  # does the gyro's reading jump
     substeps: ClassVar[int] = 1  # of a time step, where the term is faster than the leg
     voluntary: ClassVar[bool] = False  # does it change the torque of Eq. 10, and nothing else

@@ -17,6 +17,7 @@ from exoid.physics.parameter import declarations
 
 LOOKS = 3  # at a held-out segment, to find where it begins
 QUARTERS = 4  # of a single segment, each predicted from the others
+ENCODER = 1  # place of its zero among the zeros of a candidate
 TRAINING_ROUNDS = 5  # from where all segments have it
 
 
@@ -36,7 +37,9 @@ def proof(prepared: PreparedRecording, before: Prediction, after: Prediction) ->
 
 
 def predict_others(prepared: PreparedRecording, at: Optimum) -> Prediction:
-    """Every segment from the others: leg and terms from them, only its own start from itself."""
+    """Every segment from the others: leg and terms from them, only its own start from itself, and
+    of two segments the zero where that moves from one to the other.
+    """
     held_out = np.eye(prepared.segments, dtype=bool)[:, :, None]
     candidates = fitted_without(prepared, at, held_out)
     began = side_by_side(lambda each: started(prepared, at, *each), enumerate(candidates))
@@ -94,10 +97,14 @@ def started(
 
 
 def beginning(prepared: PreparedRecording, number: int, candidate: Hypothesis) -> list[int]:
-    """Which of the unknowns say how a segment begins: its own, and those of terms that remember."""
+    """Which of the unknowns say how a segment begins: its own, those of terms that remember, and
+    the encoder's zero where a lone other segment does not tell by how much that moved.
+    """
     own = [int(each[number]) for each in jax.tree.leaves(prepared.numbers.own)]
     names = [(term, name) for term in candidate.terms for name, _ in declarations(term)]
     first = candidate.unknowns.size - len(names)
+    if prepared.segments == 2 and any(term.moves_zero for term in candidate.terms):
+        own.append(candidate.point.size + ENCODER)
     return own + [first + k for k, (term, name) in enumerate(names) if name == term.begun]
 
 

@@ -13,8 +13,13 @@ class ZeroDrift(SensorTerm):
 
     title = "drift of the encoder's zero"
     reference = "straps that slip down a leg: no number is published"
-    explanation = "Straps creep along the leg, so that the encoder's zero wanders off by and by."
+    explanation = (
+        "The encoder's zero wanders off by and by: straps creep along the leg, or a phone sums up "
+        "what its gyro is off by."
+    )
     isolate = "the leg straight, or hanging still, before and after the movement"
+
+    moves_zero = True
 
     drift: Parameter = parameter("u", "rad/s", -0.05, 0.05, "drift", (0.002,))
     step: Parameter = parameter("w", "rad", -0.1, 0.1, "step from segment to segment", (0.0,))

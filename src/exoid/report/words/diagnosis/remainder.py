@@ -1,7 +1,11 @@
 """What is left on data that the fit has not seen."""
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.physics.library import library
+from exoid.physics.term import name_of
 from exoid.report.words.text import causes_in_words, in_degrees
+
+MOVING = {name_of(term) for term in library() if term.moves_zero}
 
 
 def remains(found: Diagnosis) -> str:
@@ -14,7 +18,18 @@ def remains(found: Diagnosis) -> str:
     parts = "quarters of the recording" if shown.in_time else "segments"
     return (
         f"held-out angle RMSE {before} -> {after} deg{by_what(found)}, {left_over(found)}{times} "
-        f"({shown.better} of {shown.after.squares.size} {parts} better, each from the others)."
+        f"({shown.better} of {shown.after.squares.size} {parts} better, {from_what(found)})."
+    )
+
+
+def from_what(found: Diagnosis) -> str:
+    """What is held out was predicted from what, and what of it was not."""
+    shown = found.proof
+    if shown.in_time or shown.after.squares.size > 2 or MOVING.isdisjoint(found.best.terms):
+        return "each from the others"
+    return (
+        "each from the other but for its own zero: by how much that moves between two segments, "
+        "one alone does not tell"
     )
 
 
