@@ -9,6 +9,7 @@ from exoid.fitting.result.limiting_systematics import limited_anew
 from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect
 from exoid.mismatch.answer.over_inertia import OVER, times_inertia
 from exoid.mismatch.conclude.rivals import advice, suspects, value_of, with_spread
+from exoid.mismatch.conclude.verdict.past_threshold import with_threshold
 from exoid.mismatch.search.found import names, words
 
 EVEN = 0.5  # the odds of a hand and of a cause: nothing tells which it is
@@ -29,7 +30,8 @@ def beside_a_hand(later: Diagnosis, whole: Diagnosis) -> Diagnosis:
     best = work.best
     (suspect,) = suspects(work.found, [best], best, whole.proof.after.fits)
     suspect = beside(suspect, later.before)
-    then = [*later.advice, *advice([best], "cannot_tell", None, len(later.before.segments))]
+    told = advice([best], "cannot_tell", None, len(later.before.segments))
+    then = [*later.advice, *with_threshold(told, work.found.prepared, [best])]
     return replace(
         later,
         reasons=[*later.reasons, why(words(names(best)), whole)],

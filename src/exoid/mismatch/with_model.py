@@ -25,6 +25,7 @@ from exoid.mismatch.conclude.rivals import (
 from exoid.mismatch.conclude.twin_sizes import as_fitted, twin_sizes
 from exoid.mismatch.conclude.verdict.cannot_tell import unlike_a_leg
 from exoid.mismatch.conclude.verdict.own_torques import RELAXED
+from exoid.mismatch.conclude.verdict.past_threshold import with_threshold
 from exoid.mismatch.novel.formula import fitted_formula
 from exoid.mismatch.screen.effect import named as named_values
 from exoid.mismatch.screen.hypothesis import Hypothesis
@@ -99,6 +100,7 @@ def unclaimed(found: Diagnosis, reasons: list[str]) -> Diagnosis:
     suspected = suspects(own, each, best, found.proof.after.fits)
     prepared = own.prepared
     then = advice(each[:2], "cannot_tell", None, prepared.segments, driven=prepared.driven)
+    then = with_threshold(then, prepared, each[:2])
     more: dict[str, Any] = {"suspected": suspected, "advice": then}
     return replace(found, verdict="cannot_tell", reasons=reasons, **nothing, **more)
 

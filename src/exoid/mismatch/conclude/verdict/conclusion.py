@@ -32,6 +32,7 @@ from exoid.mismatch.conclude.rivals import (
 from exoid.mismatch.conclude.twins import named_alike
 from exoid.mismatch.conclude.verdict.cannot_tell import too_little
 from exoid.mismatch.conclude.verdict.judge import Case, judge
+from exoid.mismatch.conclude.verdict.past_threshold import with_threshold
 from exoid.mismatch.evidence.location import Location
 from exoid.mismatch.evidence.proof import proof
 from exoid.mismatch.novel.formula import Formula
@@ -115,7 +116,8 @@ def advised(
     prepared = found.prepared
     if too_little(prepared):
         return []
-    return advice(rivals, verdict, formula, prepared.segments, driven=prepared.driven)
+    said = advice(rivals, verdict, formula, prepared.segments, driven=prepared.driven)
+    return with_threshold(said, prepared, rivals)
 
 
 def novel_torque(found: Found, formula: Formula, best: Optimum) -> NovelTorque:
