@@ -8,18 +8,12 @@ have them, and nothing is said of those; beyond that a clock is about as likely.
 from dataclasses import replace
 from math import hypot
 
-import numpy as np
-
 from exoid.recordings.landmarks.measure import Measure
 from exoid.recordings.recording import Segment, Sensors
+from exoid.recordings.signal.both_sensors.apart_in_scale import apart_in_scale
 from exoid.recordings.signal.both_sensors.sensor_scales import FARTHEST, GYRO_SCALE, SUSPECTED
-from exoid.recordings.signal.condition import SMOOTHING
-from exoid.recordings.signal.local_line import local_line
 
 BEYOND = 2.0  # times it, within which 19 of 20 gyros are
-LEFT = 0.2  # of the squares by which the two differ, that another scale may leave at most
-FAST = 0.3  # of the greatest slope, from where on the noise of a slope does not matter
-FEWEST = 20  # samples that tell a scale
 POWERS = {"s": 1, "rad/s": -1, "rad/s^2": -2}  # of a second, by unit
 
 
@@ -31,7 +25,7 @@ def with_doubted_clock(
     """
     usual = sensors.gyro_scale_uncertainty
     most = BEYOND * max(GYRO_SCALE, 0.0 if usual is None else usual)
-    scale = disagreement(segment)
+    scale = apart_in_scale(segment.time, segment.raw_angle, segment.raw_angular_velocity)
     if sensors.clock_uncertainty is not None or scale is None or abs(scale) < most:
         return measures, None
     clock = SUSPECTED * min(abs(scale), FARTHEST)
@@ -49,24 +43,3 @@ def by_clock(each: Measure, clock: float) -> Measure:
     if power is None or each.value is None or each.standard_error is None:
         return each
     return replace(each, standard_error=hypot(each.standard_error, power * clock * each.value))
-
-
-def disagreement(segment: Segment) -> float | None:
-    """By how much a raw gyro shows more than the encoder's slope, relative; None where there is
-    none, and where it is not mostly a scale that tells the two apart.
-    """
-    angle, gyro = segment.raw_angle, segment.raw_angular_velocity
-    if angle is None or gyro is None:
-        return None
-    seen = ~np.isnan(angle) & ~np.isnan(gyro)
-    slope = local_line(segment.time, angle, SMOOTHING)[1]
-    rate = local_line(segment.time, gyro, SMOOTHING)[0]
-    seen &= np.abs(slope) > FAST * np.quantile(np.abs(slope), 0.99)
-    if seen.sum() < FEWEST:
-        return None
-    slope, rate = slope[seen], rate[seen]
-    columns = np.stack([slope, np.ones_like(slope)], axis=1)
-    (gain, bias), *_ = np.linalg.lstsq(columns, rate, rcond=None)
-    apart = np.sum((rate - slope - np.mean(rate - slope)) ** 2)
-    left = np.sum((rate - gain * slope - bias) ** 2)
-    return float(gain - 1) if left < LEFT * apart else None
