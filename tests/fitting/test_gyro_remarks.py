@@ -8,7 +8,12 @@ from scipy.signal import butter, lfilter
 
 from exoid.fitting.data.segment import movement
 from exoid.fitting.estimate import fit
-from exoid.fitting.result.remarks.gyro_remarks import late_gyro, of_late_gyro, of_unused_gyro
+from exoid.fitting.result.remarks.gyro_remarks import (
+    late_gyro,
+    of_late_gyro,
+    of_unused_gyro,
+    scale_of,
+)
 from exoid.physics.sensing.butterworth_filter import ButterworthFilter
 from exoid.recordings.recording import Protocol, Recording, Segment
 from hands import ADULT, Device, Hand, dropped
@@ -39,6 +44,16 @@ def test_the_delay_of_a_gyro_is_found_beside_its_scale_and_bias(late):
 def test_other_errors_are_no_delay():
     assert late_gyro(swing()) is late_gyro(swing(scale=1.1)) is None
     assert late_gyro(swing(err=0.02)) is None
+
+
+@pytest.mark.parametrize("scale", [0.9, 1.05, 1.4])
+def test_a_gyros_scale_is_told_by_the_encoders_slope_alone(scale):
+    # within 0.05 s, over which a slope is taken, the swing bends by 0.2 %
+    assert scale_of(swing(scale=scale)) == pytest.approx(scale - 1, abs=0.004)
+
+
+def test_a_gyro_that_agrees_or_is_late_has_no_other_scale():
+    assert scale_of(swing()) is scale_of(swing(0.02)) is None
 
 
 def test_the_user_is_told_when_and_what_to_do():

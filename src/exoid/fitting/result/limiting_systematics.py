@@ -11,6 +11,7 @@ from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.model.systematics import SLANT, zero_of_torque
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.fit_result import Estimate, FitResult, MountingFit
+from exoid.fitting.result.remarks.gyro_remarks import scale_of
 from exoid.fitting.result.remarks.tilt_or_zero import either
 from exoid.fitting.solve.problem import Problem
 
@@ -65,6 +66,7 @@ BY_A_FOOT = (
     "the shank's line"
 )
 LOOK = "Look what the encoder shows with the knee extended, and give angle_zero_deg."
+HALF = 0.5  # of a scale that a fit takes, that gyro and encoder show of each other
 CLEAR = 4.0  # errors from which on a value is worth a sentence
 SCALED = 2e-3  # relative disagreement of encoder and gyro below which it is none worth a word
 
@@ -213,6 +215,9 @@ def disagreeing(problem: Problem, each: MountingFit, found: Disturbance) -> list
     if not clock.max() > SCALED / CLEAR:
         return []
     if found.cause is not None:
+        own = [one for one in problem.movements if one.source == each.recording]
+        if abs(scale_of(own) or 0.0) < HALF * abs(scale.value):
+            return []  # the two agree: it makes up for what the model misses
         return [
             f"gyro and encoder seem to disagree by {100 * scale.value:+.2g} % in scale, but that "
             "may be what the model misses: 'exoid diagnose' compares the two without a model."

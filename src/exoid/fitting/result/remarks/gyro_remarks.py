@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from exoid.fitting.data.movement import Movement
+from exoid.recordings.signal.both_sensors.apart_in_scale import apart_in_scale
 from exoid.recordings.signal.condition import SMOOTHING
 from exoid.recordings.signal.local_line import local_line
 
@@ -89,3 +90,13 @@ def pair_of(each: Movement) -> np.ndarray:
     rate, change = local_line(time, each.angular_velocity, SMOOTHING)
     seen = ~np.isnan(each.angle) & ~np.isnan(each.angular_velocity)
     return np.stack([slope, rate, change])[:, seen]
+
+
+def scale_of(movements: Sequence[Movement]) -> float | None:
+    """By how much a raw gyro shows more than the encoder's slope; None where it is not a scale by
+    which most of the movements differ.
+    """
+    raw = [each for each in movements if not each.filtered]
+    found = [apart_in_scale(each.segment.time, each.angle, each.angular_velocity) for each in raw]
+    told = [each for each in found if each is not None]
+    return float(np.median(told)) if told and 2 * len(told) > len(raw) else None
