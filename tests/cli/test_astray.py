@@ -1,6 +1,7 @@
 """A fit that does not follow its recording says so first, on every path, and ends with 1."""
 
 import json
+import re
 
 import pytest
 
@@ -48,6 +49,20 @@ def test_the_document_says_so(lost):
     document = json.loads(lost[1]["json"].read_text())
     assert document["fit"]["follows_recording"] is False
     assert "it misses the angle by" in document["fit"]["astray"]
+    numbers = [*document["parameters"].values(), *document["ratios"].values()]
+    for each in numbers:
+        assert each["value"] is each["standard_error"] is None
+        assert "does not follow its recording" in each["reason"] or each["symbol"] == "tau"
+    assert document["mountings"] == []
+    assert document["multistart"]["family"] == document["multistart"]["members"] == {}
+
+
+def test_no_number_of_its_model_is_printed_as_if_it_were_one(lost):
+    done, _ = lost
+    assert "±" not in done.stdout
+    for title in ("Parameters", "Ratios", "Mounting", "The family", "What the recording tells"):
+        assert title not in done.stdout
+    assert "RMSE" in done.stdout  # how far each segment is missed
 
 
 def test_the_page_begins_with_it_and_calls_nothing_good(lost):
@@ -57,6 +72,9 @@ def test_the_page_begins_with_it_and_calls_nothing_good(lost):
     assert "No. Do not use the numbers below." in page[first : first + 400]
     cards = page[first : page.index("</section>", first)]
     assert 'class="card good"' not in cards
+    for name in ("summary", "parameters", "told", "multistart"):  # a drop's own measures are none
+        section = page[page.index(f'<section id="{name}"') :].partition("</section>")[0]
+        assert not re.search(r"\d ± \d", re.sub(r"<[^>]+>", "", section)), name
 
 
 def test_a_saved_one_still_says_so(command, lost, tmp_path):

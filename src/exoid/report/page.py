@@ -1,9 +1,11 @@
 """A report as one HTML file that needs nothing else: no network, no second file."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from exoid.files.replacing import replacing
 from exoid.files.visible import visible
+from exoid.fitting.result.refused.without_numbers import without_numbers
 from exoid.report.parts.case import Case
 from exoid.report.sections.advice import advice
 from exoid.report.sections.determined import determined
@@ -46,7 +48,10 @@ def write_page(case: Case, path: str | Path) -> None:
 
 
 def build_page(case: Case) -> str:
-    """The page: every section that has something to say of this case, in the order above."""
+    """The page: every section that has something to say of this case, in the order above; no number
+    of a fit that does not follow its recording.
+    """
+    case = replace(case, fit=without_numbers(case.fit))
     found = [(each, blocks) for each in SECTIONS if (blocks := list(each.blocks(case)))]
     template = templates().get_template("page.html")
     text = template.render(case=case, origin=case.origin, sections=found, library=packed_library())

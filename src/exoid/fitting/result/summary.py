@@ -3,6 +3,7 @@
 from math import degrees
 from typing import Any
 
+from exoid.fitting.result.refused.without_numbers import without_numbers
 from exoid.recordings.summary import html_table
 
 
@@ -32,8 +33,11 @@ def heading(result: Any) -> str:
 
 
 def quantities(result: Any) -> dict[str, Any]:
-    """Parameters, the gravity moment, ratios, then the terms'."""
-    return {**result.of_leg, **result.ratios, **result.of_terms}
+    """Parameters, the gravity moment, ratios, then the terms'; of a fit that does not follow its
+    recording none of them has a value.
+    """
+    shown = without_numbers(result)
+    return {**shown.of_leg, **shown.ratios, **shown.of_terms}
 
 
 def estimate(each: Any) -> str:

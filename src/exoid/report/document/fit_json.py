@@ -12,6 +12,7 @@ from exoid.fitting.result.fit_result import (
     MultistartReport,
     SegmentFit,
 )
+from exoid.fitting.result.refused.without_numbers import without_numbers
 from exoid.report.document.plain_json import plain, shown
 from exoid.trust.identifiability import Identifiability
 
@@ -40,8 +41,11 @@ def fit_document(
 ) -> dict[str, Any]:
     """The fit in SI units and radians; null, with a reason beside it, where nothing is known.
 
-    `recordings` has path, sha256 and segments of every file; `settings` what the user asked for.
+    `recordings` has path, sha256 and segments of every file; `settings` what the user asked for. Of
+    a fit that does not follow its recording no number of its model is there.
     """
+    result = without_numbers(result)
+    told = told if result.follows else None
     return plain(
         {
             "exoid": version,
@@ -58,7 +62,10 @@ def fit_document(
 
 
 def model(result: FitResult, profiles: Mapping[str, Profile]) -> dict[str, Any]:
-    """The numbers of a fitted model, and how well it fits."""
+    """The numbers of a fitted model, and how well it fits; where that is not how the recording
+    moves, null for numbers, with that as the reason.
+    """
+    result = without_numbers(result)
     torque = {"torque_amplitude": result.torque_amplitude or no_torque()}
     return {
         "parameters": entries({**result.of_leg, **torque}, profiles),

@@ -46,7 +46,7 @@ EMBEDDED: dict[Any, Any] = {"pdf.fonttype": 42, "svg.fonttype": "path"}
 def plot_fit(result: FitResult, profiles: dict[str, Profile] | None = None) -> Figure:
     """Angle and angular velocity with their residuals per segment; below, what determined the
     numbers, and how much worse the fit gets where one of them is held elsewhere: of a fit that does
-    not follow its recording that says nothing, and the figure says what it is.
+    not follow its recording that says nothing, and the figure shows the motion and says so.
 
     >>> exoid.plot_fit(exoid.fit("drops.csv")).savefig("fit.png")
     """
@@ -56,14 +56,16 @@ def plot_fit(result: FitResult, profiles: dict[str, Profile] | None = None) -> F
     bands = ceil(len(segments) / ACROSS)
     across = ceil(len(segments) / bands)
     curves = [[profile_of(each) for each in row] for row in rows_of(known)]
-    heights = [MOTION * bands, SOURCES, *([PROFILES * len(curves) + 0.5] if curves else [])]
+    heights = [MOTION * bands, *([SOURCES] if result.follows else [])]
+    heights += [PROFILES * len(curves) + 0.5] if curves else []
     with rc_context(TEXT):
         size = (max(NARROWEST, SEGMENT * across), sum(heights))
         figure = Figure(figsize=size, layout=ConstrainedLayoutEngine(w_pad=0.07, h_pad=0.05))
         parts = figure.subfigures(len(heights), 1, squeeze=False, height_ratios=heights)[:, 0]
         columns = [motion_of(each)[: 4 if gyro else 3] for each in segments]
         draw_bands(parts[0], columns, across)
-        draw_sources(parts[1], result)
+        if result.follows:
+            draw_sources(parts[1], result)
         if curves:
             head(parts[2], "How far each quantity can move before the fit gets worse")
             draw_rows(parts[2], curves, 5)

@@ -2,12 +2,14 @@
 
 from collections.abc import Iterator
 
+from exoid.fitting.result.refused.without_numbers import REFUSED
 from exoid.report.parts.case import Case
 from exoid.report.pictures.determined import show_shares
 from exoid.report.sections.blocks import Block, Group, element
 from exoid.report.sections.section import section
 from exoid.report.tables.leg import in_print, quantities_of
 from exoid.report.tables.table import Column, Table
+from exoid.report.words.text import capital
 from exoid.trust.identifiability import Identifiability
 
 ALONE = "Every segment was fitted alone, so there is no one fit to ask what the data determine."
@@ -17,6 +19,9 @@ ALONE = "Every segment was fitted alone, so there is no one fit to ask what the 
 def determined(case: Case) -> Iterator[Block]:
     """Identifiability in sentences, the combinations that the data fix, and shares."""
     told = case.told
+    if not case.fit.follows:
+        yield [f"{capital(REFUSED)}."]
+        return
     yield [ALONE] if told is None else said(told)
     yield show_shares(case.fit)
     if told is None:

@@ -24,6 +24,8 @@ def multistart(case: Case) -> Iterator[Block]:
     costs = show_costs(report)
     families = [show_family(case.fit, pair) for pair in pairs_of(case.fit)]
     yield Group("div", [*([] if costs is None else [costs]), *families], "grid")
+    if not case.fit.follows:
+        return
     columns = {
         "parameter": [in_words(name) for name in report.family],
         "range": [span(case.fit, name) for name in report.family],

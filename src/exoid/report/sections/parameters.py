@@ -14,19 +14,25 @@ from exoid.report.tables.fit import remarks
 @section("parameters", "The leg's numbers")
 def parameters(case: Case) -> Iterator[Block]:
     """Parameters, ratios, and what each recording owned; why values or errors are missing."""
-    quantities = parameters_of(case.fit)
-    yield tables.parameters(quantities)
-    yield f"Prior: {case.fit.prior}."
-    figure = show_parameters(quantities)
-    if figure is not None:
-        yield figure
-    yield tables.ratios(case.fit)
-    yield tables.terms(case.fit)
-    yield tables.mountings(case.fit)
+    if case.fit.follows:
+        yield from numbers(case.fit)
     said = remarks(case.fit)
     if said:
         yield element("h3", "Notes")
         yield said
+
+
+def numbers(fit: FitResult) -> Iterator[Block]:
+    """Their tables, and the parameters as a figure."""
+    quantities = parameters_of(fit)
+    yield tables.parameters(quantities)
+    yield f"Prior: {fit.prior}."
+    figure = show_parameters(quantities)
+    if figure is not None:
+        yield figure
+    yield tables.ratios(fit)
+    yield tables.terms(fit)
+    yield tables.mountings(fit)
 
 
 def parameters_of(fit: FitResult) -> dict[str, Estimate]:

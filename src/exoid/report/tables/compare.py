@@ -6,6 +6,7 @@ from math import hypot
 from typing import Any
 
 from exoid.fitting.result.fit_result import RIVALS, Estimate, FitResult
+from exoid.fitting.result.refused.without_numbers import without_numbers
 from exoid.fitting.result.remarks.leaning import BENT
 from exoid.fitting.result.remarks.slack_angle import TOLD
 from exoid.physics.term import name_of
@@ -99,7 +100,8 @@ def is_one_leg(first: SavedResult, second: SavedResult) -> bool:
 
 
 def quantities_of(result: FitResult) -> dict[str, Estimate]:
-    """What a fit has a number for."""
+    """What a fit has a number for, if it follows its recording."""
+    result = without_numbers(result)
     torque = result.torque_amplitude
     tau = {} if torque is None else {"torque_amplitude": torque}
     return {**result.of_leg, **tau, **result.ratios, **result.of_terms}

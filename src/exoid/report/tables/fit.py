@@ -6,6 +6,7 @@ from rich.console import Console
 from exoid.files.counted import counted
 from exoid.fitting.result.agreement import of_the_rest
 from exoid.fitting.result.fit_result import FitResult, SegmentFit
+from exoid.fitting.result.refused.without_numbers import without_numbers
 from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.fitting.result.summary import quantities
 from exoid.report.tables.leg import (
@@ -30,7 +31,9 @@ HOLE = 3.0  # usual steps without an angle that are worth a word
 
 
 def print_fit(result: FitResult, console: Console, told: Identifiability | None = None) -> None:
-    """Print the whole fit, and what the recording told where that was asked; 80 columns do."""
+    """Print the whole fit, and what the recording told where that was asked; 80 columns do. Of one
+    that does not follow its recording: how far it misses it, and what may be behind that.
+    """
     strangers = [] if told is None else told.strangers
     for sentence in strangers:
         heading(console, "These recordings are not of one leg as it was")
@@ -39,13 +42,10 @@ def print_fit(result: FitResult, console: Console, told: Identifiability | None 
     for sentence in doubted(result):
         heading(console, "Check this before you use a mass or a torque")
         say(console, capital(sentence))
-    print_parameters(result, console)
-    print_table(ratios(result), console)
-    if result.terms:
-        print_table(terms(result), console)
-    if result.mountings:
-        print_table(mountings(result), console)
-    if told is not None:
+    result = without_numbers(result)
+    if result.follows:
+        print_numbers(result, console)
+    if told is not None and result.follows:
         gone = {name for each in told.not_found for name in each.names}
         seen = [each.symbol for name, each in told.combinations.items() if name not in gone]
         alone = ", ".join(seen)
@@ -58,11 +58,22 @@ def print_fit(result: FitResult, console: Console, told: Identifiability | None 
     note(console, remarks(result))
 
 
+def print_numbers(result: FitResult, console: Console) -> None:
+    """All that the model tells of leg, seat and sensors."""
+    print_parameters(result, console)
+    print_table(ratios(result), console)
+    if result.terms:
+        print_table(terms(result), console)
+    if result.mountings:
+        print_table(mountings(result), console)
+
+
 def print_astray(result: FitResult, console: Console) -> None:
     """That the fit does not follow its recording, or some of it, before any number."""
     if not result.follows:
         heading(console, "This fit does not follow its recording")
         say(console, astray(result))
+        return
     for sentence in of_the_rest(result.segments, result.disturbance):
         heading(console, "This fit follows a part of its recording only")
         say(console, f"{capital(sentence)}")
@@ -178,6 +189,7 @@ def remarks(result: FitResult) -> list[str]:
     torques = [(each.name, each.torque_amplitude) for each in result.segments]
     reasons += [(f"tau of segment {name}", one.reason) for name, one in torques if one is not None]
     missing = [f"{', '.join(names)}: {reason}." for reason, names in by_reason(reasons).items()]
+    missing = missing if result.follows else []  # one reason for all, which is said first
     first = {*result.notes[: not result.follows], *doubted(result)}
     said = first | {*of_the_rest(result.segments, result.disturbance)}
     return [*missing, *(note for note in result.notes if note not in said)]

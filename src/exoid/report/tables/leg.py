@@ -79,10 +79,11 @@ def terms(result: FitResult) -> Table:
 
 
 def before_and_after(before: FitResult, after: FitResult) -> Table:
-    """Every number of the model with what was found, beside that of Eq. 9 alone."""
+    """Every number of the model with what was found, beside that of an Eq. 9 that follows."""
     old, new = quantities(before), quantities(after)
     each = [in_print(one) for one in new.values()]
-    alone = [written(in_print(old[name])) if name in old else "" for name in new]
+    known = old if before.follows else {}
+    alone = [written(in_print(known[name])) if name in known else "" for name in new]
     named, symbols = [quantity_words(name) for name in new], [one.symbol for one in each]
     columns = {
         "quantity": Column(named, spare=2, brief=symbols),
