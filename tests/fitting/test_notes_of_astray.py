@@ -1,17 +1,141 @@
-"""The notes of a fit that does not follow its recording agree that its numbers are none."""
+"""A fit that does not follow its recording says of it only what does not hang on its model."""
 
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+from exoid.fitting.data.segment import movement
 from exoid.fitting.estimate import fit
+from exoid.fitting.model.prior_and_limits import believe
+from exoid.fitting.result.refused.notes import of_causes, of_sensors, of_swing
+from exoid.fitting.result.refused.without_numbers import REFUSED, without_numbers
+from exoid.recordings.recording import Protocol, Segment
+from fit_cases import BODY, DROP, recorded
 from legs import drop, recording
 
+BY_ITS_MODEL = (
+    "use the ratios",
+    "the ratios to J",
+    "holds",
+    "'if slack'",
+    "takes for granted",
+    "part of the variance",
+    "ran into its limits",
+    "would leave",
+    "Errors are widened",
+    "by this fit",
+    "seem to disagree",
+)
+STARTS = (-0.2, -0.45)
 
-def test_notes_do_not_say_how_to_use_numbers_that_are_not_to_be_used():
-    """Of a long slow pendulum, J / (m l) 1.4 m, as a leg."""
-    slow = recording(drop((7.0, 1.2, 0.6), -0.3, duration=2.4))
-    result = fit(slow, multistart=4)
+
+@cache
+def slow():
+    """A long slow pendulum, J / (m l) 1.4 m, as a leg."""
+    return fit(recording(drop((7.0, 1.2, 0.6), -0.3, duration=2.4)), multistart=4)
+
+
+def cycles():
+    """Three cycles that a controller moves by a raised cosine: no torque of Eq. 10 does."""
+    time, random = np.arange(0.0, 3.0, 0.01), np.random.default_rng(0)
+
+    def cycle(size):
+        angle = -1.4 + size * (1 - np.cos(2 * np.pi * time / 3.0)) / 2
+        speed = size * np.pi / 3.0 * np.sin(2 * np.pi * time / 3.0)
+        return Segment(
+            time,
+            raw_angle=angle + 8e-4 * random.standard_normal(time.size),
+            raw_angular_velocity=speed + 3e-3 * random.standard_normal(time.size),
+        )
+
+    return recording(*map(cycle, (0.5, 0.8, 1.1)), protocol=Protocol(kind="active"))
+
+
+def moved(*segments, **tables):
+    whole = recording(*segments, **tables)
+    return [movement(whole, at, f"drop {at}") for at in range(len(segments))]
+
+
+def test_notes_of_numbers_that_are_not_to_be_used_are_none():
+    result = slow()
     assert not result.follows
     said = " ".join(result.notes)
-    assert "Do not use these numbers" in said
-    assert "ran into its limits" in said
-    for each in ("use the ratios", "'if slack'", "takes for granted", "part of the variance"):
+    assert "Do not use its numbers" in said
+    for each in BY_ITS_MODEL:
         assert each not in said, each
-    assert all(each.if_slack is None for each in result.ratios.values())
+
+
+def test_a_leg_that_is_drawn_back_too_slowly_is_asked_for_its_times_and_its_body():
+    """8 1/s^2 where gravity alone makes 27 of this body; its gyro has the clock of the encoder."""
+    (told,) = [each for each in slow().notes if "by its swing alone" in each]
+    assert "body mass, height and age" in told
+    assert "sampling rate" not in told
+
+
+def test_cycles_are_refused_for_their_torque_alone():
+    result = fit(cycles(), multistart=4)
+    assert not result.follows
+    said = " ".join(result.notes)
+    assert "that of a muscle seldom is" in said
+    for each in (*BY_ITS_MODEL, "on its side", "sampling rate", "disagree", "dry friction"):
+        assert each not in said, each
+
+
+@pytest.mark.parametrize("rate", [0.6, 1.5, 2.0])
+def test_the_rate_of_wrong_times_is_told_where_no_gyro_speaks_against_it(rate):
+    made = [drop(start=at, gyro=False) for at in STARTS]
+    times = moved(*(replace(each, time=rate * each.time) for each in made))
+    (told,) = of_swing(believe(BODY), times)
+    found = float(told.partition("a sampling rate about ")[2].partition(" ")[0])
+    assert found == pytest.approx(rate, rel=0.1)  # c / J is that of another leg, and J / (m l)
+
+
+@pytest.mark.parametrize("rate", [0.7, 1.5])
+def test_the_rate_of_wrong_times_is_told_by_a_gyro(rate):
+    made = [drop(start=at) for at in STARTS]
+    times = moved(*(replace(each, time=rate * each.time) for each in made))
+    (told,) = of_sensors(times)
+    found = float(told.partition("a sampling rate ")[2].partition(" ")[0])
+    assert found == pytest.approx(rate, rel=0.02)
+
+
+def test_a_leg_as_others_are_and_sensors_that_agree_are_asked_nothing():
+    own = moved(*(drop(start=at) for at in STARTS))
+    assert of_swing(believe(BODY), own) == of_sensors(own) == []
+
+
+def test_a_leg_on_its_side_is_asked_whether_it_lies_so():
+    level = moved(*(drop((0.0, 18.0, 0.8), at, slack=-0.9) for at in STARTS))
+    (told,) = of_swing(believe(BODY), level)
+    assert "Does the leg lie on its side" in told
+
+
+def test_what_may_be_behind_it_is_what_was_recorded():
+    drops, rig = of_causes({"passive"}, rig=False), of_causes({"passive"}, rig=True)
+    assert "Eq. 10" not in drops + rig
+    assert "a hand" in drops
+    assert "dry friction" in rig
+    both = of_causes({"active", "measured"}, rig=False)
+    assert "Eq. 10" in both
+    assert "let go" not in both
+    assert "its unit" in both
+
+
+def test_no_number_of_a_refused_model_is_shown_but_what_the_user_fixed():
+    result = fit(recorded(DROP), multistart=2, fix={"damping": 0.2})
+    assert without_numbers(result) is result
+    lost = without_numbers(replace(result, astray="it misses the angle"))
+    known = {**lost.of_leg, **lost.ratios}
+    fixed = known.pop("damping")
+    assert fixed.value == 0.2
+    assert {each.value for each in known.values()} == {None}
+    assert {each.standard_error for each in known.values()} == {None}
+    assert {each.reason for each in known.values()} == {REFUSED}
+    assert lost.mountings == []
+    assert lost.multistart.family == lost.multistart.members == {}
+    assert [each.angle_rmse for each in lost.segments] == [
+        each.angle_rmse for each in result.segments
+    ]
+    assert repr(replace(result, astray="it misses the angle")).count("±") == 1

@@ -18,7 +18,7 @@ from exoid.fitting.multistart.at_odds import at_odds
 from exoid.fitting.multistart.gross_errors import hung_elsewhere, slanted
 from exoid.fitting.multistart.pulled_by_declared import led_astray
 from exoid.fitting.multistart.search_result import SAME_LOSS, SearchResult
-from exoid.fitting.result.agreement import astray, believed, of_the_rest
+from exoid.fitting.result.agreement import astray, believed, explained, of_the_rest
 from exoid.fitting.result.equally_good import equally_good
 from exoid.fitting.result.estimates import (
     estimate_moment,
@@ -44,11 +44,12 @@ from exoid.fitting.result.fit_result import (
 )
 from exoid.fitting.result.limiting_systematics import granted, limiting, suspicions
 from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings
+from exoid.fitting.result.refused.notes import of_refused
 from exoid.fitting.result.remarks.added_mass_remarks import misplaced, of_misplaced
 from exoid.fitting.result.remarks.anatomy_remarks import of_anatomy
 from exoid.fitting.result.remarks.leaning import LEANING, Leaning
 from exoid.fitting.result.remarks.noise_remarks import of_leg_tone, tone_of
-from exoid.fitting.result.remarks.remarks import limits_met, of_astray, remarks
+from exoid.fitting.result.remarks.remarks import limits_met, remarks
 from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.fitting.result.remarks.slack_angle import left_open, slack_angle_remarks
 from exoid.fitting.result.remarks.torque_zero import off_by_torque_zero
@@ -153,26 +154,26 @@ def growth(before: Estimate, after: Estimate, inertia: Estimate) -> float:
 
 
 def notes(result: FitResult, basis: Basis, at_bound: set[str], slack: Leaning | None) -> list[str]:
-    """What the user should know of a fit, that it does not follow first; of numbers that are not to
-    be used, not how well they are known.
-    """
+    """What the user should know of a fit; of one that does not follow what does not hang on it."""
     problem, ended = basis.problem, basis.ended
+    if result.astray is not None:
+        whole = explained(result.segments)
+        return of_refused(result.astray, problem, ended, explained=whole)
     known = [*limiting(result), *granted(problem)]
     tone = tone_of(result.segments)
     inertia = result.parameters["inertia"].value
     swung = [] if tone is None else [f"{of_leg_tone(tone, result.ratios, inertia)}. {WIDENED}"]
     return [
-        *of_astray(result.astray, problem),
-        *(of_misplaced(problem, ended) if result.follows else []),
+        *of_misplaced(problem, ended),
         *of_anatomy(problem.belief, float(ended.point.shared.gravity), slack),
         *of_the_rest(result.segments, ended.disturbance),
         *swung,
-        *remarks(problem, ended, at_bound, follows=result.follows, swung=bool(swung)),
+        *remarks(problem, ended, at_bound, swung=bool(swung)),
         *of_scale(result.parameters, result.segments),
         *of_far_zeros(problem, ended),
         *slack_angle_remarks(slack),
         *suspicions(problem, result.mountings, ended),
-        *(known if result.follows else []),
+        *known,
     ]
 
 

@@ -30,6 +30,7 @@ LIKE_REST = (
     ", as it does where dry friction lets a leg come to rest beside its middle, or where the "
     "encoder or the gyro drifts"
 )
+MISSES = ", which may make up for what the model misses"
 TOLD = 0.7  # of its prior's error: below it the recording has told something
 
 
@@ -68,6 +69,8 @@ def estimate_mountings(basis: Basis) -> list[MountingFit]:
 def beyond_belief(problem: Problem, ended: SearchResult) -> str | None:
     """Which recording the fit takes for what nobody declares, if it does."""
     furthest, why = BEYOND, None
+    let_go = any(each.kind == "passive" for each in problem.movements)
+    misses = ended.disturbance.cause is not None
     for field in problem.owned:
         if field == "zero" and "gravity" in problem.absent:
             continue  # it is where the spring of a rig rests, which may be anywhere
@@ -76,7 +79,8 @@ def beyond_belief(problem: Problem, ended: SearchResult) -> str | None:
             away = abs(float(values[entry] / deviations[entry]))
             if away > furthest:
                 furthest = away
-                why = off(field, *(float(each[entry]) for each in (values, deviations)))
+                size = (float(each[entry]) for each in (values, deviations))
+                why = off(field, *size) + made_up(field, let_go=let_go, misses=misses)
                 if field in OF_THE_MASS:
                     why = of_added_mass(problem, ended, field, entry)
     return why
@@ -85,8 +89,16 @@ def beyond_belief(problem: Problem, ended: SearchResult) -> str | None:
 def off(field: str, value: float, usual: float) -> str:
     """What the fit takes it for, in the units of a coordinate."""
     said = f"it takes {WORDS[FIELDS[field]]} to be off by {told_as(field, value)}"
-    alike = LIKE_REST if field in OF_THE_REST else ""
-    return f"{said}, where {told_as(field, usual)} is usual{alike}"
+    return f"{said}, where {told_as(field, usual)} is usual"
+
+
+def made_up(field: str, *, let_go: bool, misses: bool) -> str:
+    """What else makes a fit take it for that, of a leg that was let go; of any that `misses`
+    something.
+    """
+    if field in OF_THE_REST and let_go:
+        return LIKE_REST
+    return MISSES if misses else ""
 
 
 def told_as(field: str, value: float) -> str:

@@ -15,6 +15,7 @@ STRIDE = 0.05  # s between windows
 FEWEST = 8  # samples of a window
 MOST = 400  # windows, of however long a recording
 LEAST = 6  # windows
+COLUMNS = 6  # integrals of a window
 MOVING = 0.15  # of how far the leg moves at all, that it moves within a window
 
 
@@ -38,7 +39,7 @@ def balance(segment: Segment) -> Balance | None:
     int psi'' phi = -a int psi cos(phi) - b int psi sin(phi) + d int psi' phi, whence the pull
     is sqrt(a^2 + b^2), and the balance at atan2(-a, b). Zero and sign of the angle are free.
     """
-    rows = weak_form(segment)
+    rows = weak_form(*measured(segment))[:, :4]
     if rows.shape[0] < LEAST:
         return None
     left, right = rows[:, 0], rows[:, 1:]
@@ -62,15 +63,16 @@ def balance(segment: Segment) -> Balance | None:
     )
 
 
-def weak_form(segment: Segment) -> NDArray[np.float64]:
-    """A row for every window: int psi'' phi, -int psi cos(phi), -int psi sin(phi), int psi' phi."""
-    time, angle = measured(segment)
+def weak_form(time: Samples, angle: Samples) -> NDArray[np.float64]:
+    """A row for every window: int psi'' phi, -int psi cos(phi), -int psi sin(phi), int psi' phi,
+    and of a spring -int psi phi, -int psi.
+    """
     stride = max(STRIDE, (time[-1] - time[0]) / MOST)
     begin = np.arange(time[0], time[-1] - WINDOW, stride)
     first, last = np.searchsorted(time, [begin, begin + WINDOW])
     told = last - first >= FEWEST
     if not told.any():
-        return np.empty((0, 4))
+        return np.empty((0, COLUMNS))
     begin, first, last = begin[told], first[told], last[told]
     edges = np.stack([first, last], axis=1).ravel()[: -1 if last[-1] == time.size else None]
     travel = (each.reduceat(angle, edges)[::2] for each in (np.maximum, np.minimum))
@@ -87,7 +89,7 @@ def integrals(
     0, and so it is where a window has no more samples.
     """
     if not begin.size:
-        return np.empty((0, 4))
+        return np.empty((0, COLUMNS))
     at = first[:, None] + np.arange(int((last - first).max()))
     inside = at < last[:, None]
     at = np.minimum(at, time.size - 1)
@@ -101,5 +103,6 @@ def integrals(
     bend = 6 * hump * (1 - 5 * hump) / WINDOW**2
     mean = np.sum(angle, axis=1, where=inside, keepdims=True) / inside.sum(axis=1, keepdims=True)
     apart = angle - mean
-    each = (bend * apart, -psi * np.cos(angle), -psi * np.sin(angle), slope * apart)
+    turned = (bend * apart, -psi * np.cos(angle), -psi * np.sin(angle), slope * apart)
+    each = (*turned, -psi * angle, -psi)
     return np.stack([np.einsum("wt,wt->w", share, values) for values in each], axis=1)

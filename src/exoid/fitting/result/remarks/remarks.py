@@ -47,31 +47,34 @@ ASK_DIAGNOSE = "; 'exoid diagnose' asks what the model lacks"
 INCOMPLETE = "no error bar of a model that misses something is complete"
 
 
+def as_taken(problem: Problem, found: Disturbance) -> list[str]:
+    """How segments were taken, what of them counts, and what their sensors did beside measuring:
+    nothing of that hangs on the numbers of the fit.
+    """
+    guessed = [each for each in problem.movements if not each.kind_said]
+    said = [f"{each}." for each in of_stopped(problem.movements)]
+    if guessed:
+        each = ", ".join(f"{one.name} {one.kind}" for one in guessed)
+        said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")
+    return [
+        *said,
+        *of_filter(problem),
+        *of_unused_gyro(problem.movements),
+        *of_memory(problem),
+        *of_late(problem, found),
+        *of_kept(problem),
+        *noise_remarks(problem.movements),
+    ]
+
+
 def remarks(
-    problem: Problem,
-    ended: SearchResult,
-    at_bound: set[str],
-    *,
-    follows: bool = True,
-    swung: bool = False,
+    problem: Problem, ended: SearchResult, at_bound: set[str], *, swung: bool = False
 ) -> list[str]:
     """How segments were taken, what the residual holds, and which limits decided. Of a leg that a
     tone has `swung` the residual is no noise.
     """
-    said = []
-    guessed = [each for each in problem.movements if not each.kind_said]
-    rig = problem.belief.rig
-    said += of_impossible(problem, ended)
-    said += [f"{each}." for each in of_stopped(problem.movements)]
-    if guessed:
-        each = ", ".join(f"{one.name} {one.kind}" for one in guessed)
-        said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")
-    said += of_filter(problem)
-    said += of_unused_gyro(problem.movements)
-    said += of_memory(problem)
-    said += of_late(problem, ended.disturbance)
-    said += of_kept(problem)
-    said += noise_remarks(problem.movements)
+    said, rig = of_impossible(problem, ended), problem.belief.rig
+    said += as_taken(problem, ended.disturbance)
     gravity = float(ended.best.coordinates.shared.gravity[0])
     told = scale_told(ended.local.data + ended.local.prior)
     inertia = float(ended.best.leg.inertia[0]) if told else None
@@ -79,7 +82,7 @@ def remarks(
     unit = np.mean([each.residual_unit / each.angle_noise for each in problem.movements])
     within = float(ended.best.misfit[0]) * unit**2 < problem.samples.sum()
     sensors = ended.disturbance.cause == "encoder"
-    asked = follows and sensors and not models_lateness(problem)  # else it is said first
+    asked = sensors and not models_lateness(problem)
     late = of_late_gyro(problem.movements) if asked else []
     quiet = swung and ended.disturbance.cause is None
     if not late and not quiet and not (within and sensors):  # smoothed errors, which are told
@@ -93,7 +96,7 @@ def remarks(
         )
     if float(ended.best.violation[0]) > FEASIBLE:
         said.append("the limits could not all be met: see the bounds in the table.")
-    said += of_bounds(problem, at_bound, "use the ratios" if follows else "")
+    said += of_bounds(problem, at_bound)
     if sum(each.voluntary for each in problem.movements) > 1:
         said.append(
             "tau and tau / J are means over the voluntary segments, each with its own effort."
@@ -180,10 +183,8 @@ def upside_down(problem: Problem, ended: SearchResult) -> bool:
     return problem.belief.rig and not all_driven(problem.movements) and gravity < 0
 
 
-def of_astray(why: str | None, problem: Problem) -> list[str]:
+def of_astray(why: str, problem: Problem) -> list[str]:
     """That the simulation does not follow the recording, and what to do."""
-    if why is None:
-        return []
     belief, several = problem.belief, len(problem.recordings) > 1
     late = None if models_lateness(problem) else late_gyro(problem.movements)
     first = "" if late is None else f"{lateness(late)}, and {remedy(late)} estimates that; else "
@@ -192,7 +193,7 @@ def of_astray(why: str | None, problem: Problem) -> list[str]:
     yours = f", and what you said of {named}" if named else ""
     weighed = "; without --misfit paper every sample is weighed by its noise" if belief.raw else ""
     return [
-        f"the simulation does not follow the recording: {why}. Do not use these numbers: {first}"
+        f"the simulation does not follow the recording: {why}. Do not use its numbers: {first}"
         f"check units, signs, zero and marks of the recording{masses}{yours}{ASK_DIAGNOSE}"
         f"{weighed}."
     ]
@@ -295,8 +296,8 @@ def of_missed(
     return []
 
 
-def of_bounds(problem: Problem, at_bound: set[str], advice: str) -> list[str]:
-    """Which limits decided, with what to do where the ratios can be used."""
+def of_bounds(problem: Problem, at_bound: set[str]) -> list[str]:
+    """Which limits decided, and what to do."""
     said, belief = [], problem.belief
     limits = belief.limits
     for name, declared in declarations(LegParameters):
@@ -305,7 +306,7 @@ def of_bounds(problem: Problem, at_bound: set[str], advice: str) -> list[str]:
             said.append(
                 f"{declared.symbol} ran into its limits of {low:.3g} to {high:.3g} {declared.unit} "
                 f"({whose(belief, name)}). Absolute values that go with it follow from that limit, "
-                f"not from the recording{advice and ': '}{advice}."
+                "not from the recording: use the ratios."
             )
     for rule in RULES:
         if rule in at_bound:

@@ -1,0 +1,110 @@
+"""What a fit says of a recording that it does not follow: nothing that hangs on its model.
+
+Sensors are compared with each other, and a swing is asked by itself (`own_swing`); a cause is named
+where such a check shows it, and what else may be behind it as what can be checked.
+"""
+
+from collections.abc import Collection, Sequence
+
+import numpy as np
+
+from exoid.fitting.data.movement import Movement
+from exoid.fitting.model.belief import Belief
+from exoid.fitting.model.systematics import by_recording
+from exoid.fitting.multistart.search_result import SearchResult
+from exoid.fitting.result.refused.own_swing import own_swing
+from exoid.fitting.result.remarks.anatomy_remarks import length_of
+from exoid.fitting.result.remarks.gyro_remarks import scale_of
+from exoid.fitting.result.remarks.remarks import as_taken, of_astray
+from exoid.fitting.result.remarks.zero_remarks import of_far_zeros
+from exoid.fitting.solve.problem import Problem
+from exoid.physics.leg import GRAVITY
+from exoid.recordings.conventions.angle_convention import ON_ITS_SIDE
+
+APART = 0.03  # of a scale: a gyro's data sheet allows half as much
+SPRING = 6.0  # 1/s^2, c / J of a relaxed knee (2 to 15)
+SLOW, FAST = 0.75, 2.0  # times what gravity alone makes of this body's leg: no leg is beyond
+BY_SWING = (
+    "by its swing alone, whatever else is taken for granted, this leg is drawn back with "
+    "{pull:.2g} 1/s^2, and gravity alone makes {usual:.2g} of a leg of this body. Check {times}"
+    "body mass, height and age, and that every mass on the leg is declared."
+)
+TIMES = "the times (a sampling rate about {times:.2g} times the one they have would explain it), "
+CYCLES = (
+    "of cycles the torque is taken to be the cosine of Eq. 10, and that of a muscle seldom is: no "
+    "number of the leg follows from them. Let the relaxed leg drop, or measure the torque"
+)
+LET_GO = (
+    "of a leg that was let go: a hand that stays at it or catches it, a muscle that acts, a mass "
+    "that is not declared, an encoder or a strap that drifts, a stop, or a spring that is slack "
+    "elsewhere than at full extension ('exoid fit --with stiffness_rest_angle')"
+)
+RIG = (
+    "of a rig that was let go: dry friction ('exoid fit --with coulomb_friction'), a stop, a "
+    "cable, a spring that is not linear, a hand that stays at it, a mass that is not declared"
+)
+DRIVEN = "of a torque that was measured: its sign, its unit, and that it is not late"
+
+
+def of_refused(why: str, problem: Problem, ended: SearchResult, *, explained: bool) -> list[str]:
+    """That it is not followed, what it shows of itself, and what may be behind it. Where the fit
+    has `explained` all but the noise, if with a zero that nobody believes, it may be that zero.
+    """
+    zeros = of_far_zeros(problem, ended) if explained else []
+    return [
+        *of_astray(why, problem),
+        *of_sensors(problem.movements),
+        *of_swing(problem.belief, problem.movements),
+        *zeros,
+        of_causes({each.kind for each in problem.movements}, rig=problem.belief.rig),
+        *as_taken(problem, ended.disturbance),
+    ]
+
+
+def of_causes(kinds: Collection[str], *, rig: bool) -> str:
+    """What may be behind it, of these kinds of movement."""
+    let_go = RIG if rig else LET_GO
+    said = {"active": CYCLES, "passive": let_go, "measured": DRIVEN}
+    named = "; ".join(words for kind, words in said.items() if kind in kinds)
+    return f"what may be behind it, and can be checked: {named}."
+
+
+def of_sensors(movements: Sequence[Movement]) -> list[str]:
+    """That gyro and encoder, compared with each other, differ in scale."""
+    recordings, said = by_recording(list(movements)), []
+    for own in recordings:
+        scale = scale_of(own)
+        if scale is not None and abs(scale) >= APART:
+            whose = f" of {own[0].source}" if len(recordings) > 1 else ""
+            said.append(
+                f"compared with each other, without a model, gyro and encoder{whose} differ by "
+                f"{100 * scale:+.0f} % in scale. Check unit and scale of the gyro, the encoder's "
+                f"gain, and the times (a sampling rate {1 + scale:.2f} times the one they have "
+                "would explain it)."
+            )
+    return said
+
+
+def of_swing(belief: Belief, movements: Sequence[Movement]) -> list[str]:
+    """That gravity does not turn a leg, or that it is drawn back as none of this body is."""
+    swing = None if belief.rig else own_swing(movements)
+    if swing is None:
+        return []
+    if swing.level:
+        return [f"a spring alone draws this leg, wherever it is. {ON_ITS_SIDE}"]
+    if belief.expected is None or belief.expected.covariance is None or not swing.smooth:
+        return []
+    usual = GRAVITY / length_of(belief.expected)[0]
+    if SLOW * usual < swing.pull < FAST * usual:
+        return []
+    times = (
+        ""
+        if gyro_agrees(movements)
+        else TIMES.format(times=float(np.sqrt((usual + SPRING) / swing.pull)))
+    )
+    return [BY_SWING.format(pull=swing.pull, usual=usual, times=times)]
+
+
+def gyro_agrees(movements: Sequence[Movement]) -> bool:
+    """Does a gyro show by the same clock as the encoder how fast the leg is?"""
+    return any(each.gyro_noise for each in movements) and not of_sensors(movements)
