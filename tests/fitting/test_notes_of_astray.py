@@ -9,11 +9,11 @@ import pytest
 from exoid.fitting.data.segment import movement
 from exoid.fitting.estimate import fit
 from exoid.fitting.model.prior_and_limits import believe
-from exoid.fitting.result.refused.notes import of_causes, of_sensors, of_swing
+from exoid.fitting.result.refused.notes import of_causes, of_rests, of_sensors, of_swing
 from exoid.fitting.result.refused.without_numbers import REFUSED, without_numbers
 from exoid.recordings.recording import Protocol, Segment
 from fit_cases import BODY, DROP, recorded
-from legs import drop, recording
+from legs import balance_of, drop, recording
 
 BY_ITS_MODEL = (
     "use the ratios",
@@ -110,6 +110,20 @@ def test_a_leg_on_its_side_is_asked_whether_it_lies_so():
     level = moved(*(drop((0.0, 18.0, 0.8), at, slack=-0.9) for at in STARTS))
     (told,) = of_swing(believe(BODY), level)
     assert "Does the leg lie on its side" in told
+
+
+@pytest.mark.parametrize("stiffness", [2.0, 15.0])
+def test_a_mass_that_was_on_the_leg_in_some_drops_alone_is_asked_for(stiffness):
+    """2.5 kg at 0.35 m on a leg of m l g 11 N m and J 0.42 kg m^2."""
+    bare = (27.0, stiffness, 0.8)
+    heavier, larger = 1 + 2.5 * 0.35 / (11 / 9.81), 1 + 2.5 * 0.35**2 / 0.42
+    loaded = (27.0 * heavier / larger, stiffness / larger, 0.8 / larger)
+    own = moved(*(drop(bare, at, gyro=False) for at in (-0.15, -0.45, -0.8)))
+    assert of_rests(own) == []
+    mixed = moved(drop(bare, -0.3, gyro=False), drop(loaded, -0.3, gyro=False))
+    expected = np.degrees([balance_of(bare), balance_of(loaded)])
+    said = " ".join(of_rests(mixed))
+    assert ("Was a mass on the leg in one of them" in said) == (expected[0] - expected[1] > 4)
 
 
 def test_what_may_be_behind_it_is_what_was_recorded():

@@ -12,7 +12,7 @@ from exoid.fitting.data.movement import Movement
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.systematics import by_recording
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.result.refused.own_swing import own_swing
+from exoid.fitting.result.refused.own_swing import own_swing, rests
 from exoid.fitting.result.remarks.anatomy_remarks import length_of
 from exoid.fitting.result.remarks.gyro_remarks import scale_of
 from exoid.fitting.result.remarks.remarks import as_taken, of_astray
@@ -24,6 +24,7 @@ from exoid.recordings.conventions.angle_convention import ON_ITS_SIDE
 APART = 0.03  # of a scale: a gyro's data sheet allows half as much
 SPRING = 6.0  # 1/s^2, c / J of a relaxed knee (2 to 15)
 SLOW, FAST = 0.75, 2.0  # times what gravity alone makes of this body's leg: no leg is beyond
+ELSEWHERE = np.radians(4.0)  # of one leg whose drops begin at -10 and at -45 deg: 1 deg
 BY_SWING = (
     "by its swing alone, whatever else is taken for granted, this leg is drawn back with "
     "{pull:.2g} 1/s^2, and gravity alone makes {usual:.2g} of a leg of this body. Check {times}"
@@ -55,6 +56,7 @@ def of_refused(why: str, problem: Problem, ended: SearchResult, *, explained: bo
         *of_astray(why, problem),
         *of_sensors(problem.movements),
         *of_swing(problem.belief, problem.movements),
+        *of_rests(problem.movements),
         *zeros,
         of_causes({each.kind for each in problem.movements}, rig=problem.belief.rig),
         *as_taken(problem, ended.disturbance),
@@ -103,6 +105,21 @@ def of_swing(belief: Belief, movements: Sequence[Movement]) -> list[str]:
         else TIMES.format(times=float(np.sqrt((usual + SPRING) / swing.pull)))
     )
     return [BY_SWING.format(pull=swing.pull, usual=usual, times=times)]
+
+
+def of_rests(movements: Sequence[Movement]) -> list[str]:
+    """That movements swing about places that are not one leg's, as it was."""
+    found = rests(movements)
+    turned = len({each.thigh_angle for each in movements}) > 1  # they hang elsewhere then
+    if turned or not found or max(found.values()) - min(found.values()) < ELSEWHERE:
+        return []
+    low, high = (pick(found, key=found.__getitem__) for pick in (min, max))
+    return [
+        f"by their swings alone segment {low} hangs at {np.degrees(found[low]):.0f} deg, segment "
+        f"{high} at {np.degrees(found[high]):.0f} deg. Was a mass on the leg in one of them "
+        "(added_mass_kg, a list with one entry a segment), or did the encoder, its strap or the "
+        "seat slip between them? A muscle that holds the leg in one of them looks alike."
+    ]
 
 
 def gyro_agrees(movements: Sequence[Movement]) -> bool:

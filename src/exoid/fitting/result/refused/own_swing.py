@@ -16,6 +16,7 @@ from exoid.recordings.conventions.balance import weak_form
 
 LEVEL = 1e-4  # of the squares of the acceleration that a spring leaves: beside gravity it is 5e-4
 SMOOTH = 3e-3  # the same of all three: noise of an encoder, and a hand that was slow to let go
+ALONE = 1e-3  # the same of a single drop
 FEWEST = 12  # windows
 PENDULUM = [1, 2, 3]  # columns: gravity, from wherever it comes, and damping
 SPRING = [4, 5, 3]  # a spring, wherever it is slack, and damping
@@ -39,6 +40,19 @@ def own_swing(movements: Sequence[Movement]) -> OwnSwing | None:
         return None
     (_, (a, b, _)), (spring, _), (both, _) = (left_by(found, of) for of in (PENDULUM, SPRING, BOTH))
     return OwnSwing(float(np.hypot(a, b)), smooth=both < SMOOTH, level=spring < LEVEL)
+
+
+def rests(movements: Sequence[Movement]) -> dict[str, float]:
+    """About which angle [rad] each swings that was let go without a load, where its swing tells it:
+    by its name.
+    """
+    found = {}
+    for each in movements:
+        rows = free_rows(each) if each.kind == "passive" and not each.added_mass else np.empty((0,))
+        if rows.shape[0] >= FEWEST and left_by(rows, BOTH)[0] < ALONE:
+            a, b, _ = left_by(rows, PENDULUM)[1]
+            found[each.name] = float(np.arctan2(-a, b))
+    return found
 
 
 def free_rows(each: Movement) -> np.ndarray:
