@@ -2,7 +2,7 @@
 
 import pytest
 
-from exoid.fitting.result.named import Named
+from exoid.files.named import Named
 
 
 def test_a_misspelt_name_is_answered_with_the_one_it_resembles_and_all_others():

@@ -8,13 +8,13 @@ from typing import Annotated, Any
 import numpy as np
 from jaxtyping import Float
 
+from exoid.files.named import Named
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.uncertainty import Information, Shares, Source
 from exoid.fitting.model.user_values import Means
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result import summary
 from exoid.fitting.result.conditions import Conditions
-from exoid.fitting.result.named import Named
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.term import Term
