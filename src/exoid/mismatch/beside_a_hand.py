@@ -28,7 +28,7 @@ def beside_a_hand(later: Diagnosis, whole: Diagnosis) -> Diagnosis:
     work = whole.workings
     assert work is not None  # it was just made
     best = work.best
-    (suspect,) = suspects(work.found, [best], best, whole.proof.after.fits)
+    (suspect,) = suspects(work.found, [best], best)
     suspect = beside(suspect, later.before)
     told = advice([best], "cannot_tell", None, len(later.before.segments))
     then = [*later.advice, *with_threshold(told, work.found.prepared, [best])]

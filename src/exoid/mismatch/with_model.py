@@ -97,7 +97,7 @@ def unclaimed(found: Diagnosis, reasons: list[str]) -> Diagnosis:
     own, best = just_made(found).found, just_made(found).best
     each = likely(own)
     nothing: dict[str, Any] = {"findings": [], "novel": False, "formula": None}
-    suspected = suspects(own, each, best, found.proof.after.fits)
+    suspected = suspects(own, each, best)
     prepared = own.prepared
     then = advice(each[:2], "cannot_tell", None, prepared.segments, driven=prepared.driven)
     then = with_threshold(then, prepared, each[:2])

@@ -1,15 +1,12 @@
 """The numbers of an answer: what every cause leaves, parameters, and what they were booked as."""
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from exoid.fitting.model.coordinates import Shared
 from exoid.mismatch.answer.diagnosis import Booked, Parameter, Tested
-from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.evidence.yardstick import KNOWN, Yardstick
 from exoid.mismatch.novel.formula import Formula
-from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
+from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, names, unscaled_covariance
 from exoid.mismatch.sensors.agreement import BIAS
 from exoid.physics.parameter import declarations
@@ -88,20 +85,22 @@ def apart(found: Found, best: Optimum, term: type[Term], other: type[Term]) -> t
     return both(here), float(np.sqrt(max(variance, 0.0)))
 
 
-def parameters_of(
-    found: Found, best: Optimum, formula: Formula | None, fits: Sequence[Hypothesis] = ()
-) -> list[Parameter]:
-    """Values and errors of the terms' parameters, for the inertia that the fit took.
+def widening(found: Found, one: Optimum) -> float:
+    """By what the variances of a cause's numbers are larger than those of independent noise.
 
-    Where more than noise is left, errors hold how far the `fits` without each part of the data are
-    apart, and how long what it leaves itself is correlated.
+    What it leaves over the noise lies beside what its numbers do, for they take up what lies along
+    that: as much of what nobody knows may have moved any one of them.
     """
+    measure = found.yardstick
+    remains = one.square > KNOWN * measure.samples
+    return measure.scale + (one.square - measure.samples if remains else 0.0)
+
+
+def parameters_of(found: Found, best: Optimum, formula: Formula | None) -> list[Parameter]:
+    """Values and errors of the terms' parameters, for the inertia that the fit took."""
     candidate = best.candidate
-    variance = np.maximum(np.diag(covariance(found, best)), 0.0)
-    if best.square > KNOWN * found.yardstick.samples:
-        own = yardstick(found.prepared, best).scale
-        variance = variance * max(1.0, own / found.yardstick.scale)
-        variance[candidate.point.size + 2 :] += jackknifed(found, best, fits)
+    free = np.maximum(np.diag(unscaled_covariance(found.prepared, best)), 0.0)
+    variance = free * widening(found, best)
     told = np.diag(best.products.total)[:-1] > 0
     parameters, at = [], candidate.point.size + 2
     for term, values in zip(candidate.terms, candidate.values, strict=True):
@@ -112,22 +111,6 @@ def parameters_of(
             parameters.append(Parameter(f"{owner}.{name}", float(value), declared.unit, error))
             at += 1
     return parameters
-
-
-def jackknifed(found: Found, best: Optimum, fits: Sequence[Hypothesis]) -> np.ndarray:
-    """Variances of the terms' parameters by fits without each part of the data (Efron & Stein,
-    Annals of Statistics 9(3), 1981), all for one inertia; 0 without fits.
-    """
-    size_of_terms = sum(each.size for each in best.candidate.values)
-    if len(fits) < 2 or size_of_terms == 0:
-        return np.zeros(size_of_terms)
-    powers = [one.inertia_power for term in best.candidate.terms for _, one in declarations(term)]
-    here, *logs = (
-        float(found.prepared.coordinates(one).shared.log_inertia) for one in (best.candidate, *fits)
-    )
-    scale = np.exp(np.outer(here - np.array(logs), powers))
-    each = scale * np.array([np.concatenate(one.values) for one in fits])
-    return (len(fits) - 1) * each.var(axis=0)
 
 
 def moved(found: Found, before: Optimum, after: Optimum) -> list[Booked]:

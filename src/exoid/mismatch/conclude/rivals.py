@@ -1,6 +1,5 @@
 """What this recording cannot tell from the answer, and what that leaves unknown of the leg."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +11,7 @@ from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect, Verdict
 from exoid.mismatch.conclude.numbers import moved, parameters_of
 from exoid.mismatch.evidence.yardstick import APART
 from exoid.mismatch.novel.formula import Formula
-from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
+from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, Workings, names, words
 from exoid.physics.term import of_alike, pushing_alike
 
@@ -39,17 +38,12 @@ def likely(found: Found) -> list[Optimum]:
     return [one for one in found.singles if found.followed(one) > SUSPECT]
 
 
-def suspects(
-    found: Found, each: list[Optimum], best: Optimum, fits: Sequence[Hypothesis] = ()
-) -> list[Suspect]:
-    """What the likeliest causes would make of the leg's numbers; the one that is named is first.
-    Of the best there are `fits` without each part of the data.
-    """
+def suspects(found: Found, each: list[Optimum], best: Optimum) -> list[Suspect]:
+    """What the likeliest causes would make of the leg's numbers; the one that is named is first."""
     each = sorted(each, key=lambda one: one is not best)[:SUSPECTS]
-    own = [parameters_of(found, one, None, fits if one is best else ()) for one in each]
     return [
-        Suspect(names(one), moved(found, found.base, one), sizes)
-        for one, sizes in zip(each, own, strict=True)
+        Suspect(names(one), moved(found, found.base, one), parameters_of(found, one, None))
+        for one in each
     ]
 
 

@@ -1,12 +1,10 @@
 """Segments as they are predicted without and with what was found."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Annotated
 
 import numpy as np
 from jaxtyping import Bool, Float
-
-from exoid.mismatch.screen.hypothesis import Hypothesis
 
 MATTERS = 0.01  # share of a sum of squares on held-out data that a better prediction saves
 Samples = Float[np.ndarray, "segment sample"]
@@ -20,7 +18,6 @@ class Prediction:
     counted: Bool[np.ndarray, "segment sample"]  # which samples were held out
     rmse: Annotated[Float[np.ndarray, " segment"], "rad"]
     squares: Annotated[Float[np.ndarray, " fold"], "1"]  # of both channels over their noise
-    fits: tuple[Hypothesis, ...] = field(default=(), metadata={"saved": False})  # without each fold
 
     @property
     def total(self) -> float:

@@ -1,7 +1,5 @@
 """Does it hold on data that the fit has not seen?"""
 
-from dataclasses import replace
-
 import jax
 import numpy as np
 from jaxtyping import Bool
@@ -45,8 +43,7 @@ def predict_others(prepared: PreparedRecording, at: Optimum) -> Prediction:
     began = side_by_side(lambda each: started(prepared, at, *each), enumerate(candidates))
     shown = np.stack([each.motion[number] for number, each in enumerate(began)])
     used = np.asarray(prepared.seen.angle_weight) > 0
-    found = prediction(prepared.seen, shown, used, np.arange(prepared.segments)[:, None])
-    return replace(found, fits=tuple(candidates))
+    return prediction(prepared.seen, shown, used, np.arange(prepared.segments)[:, None])
 
 
 def predict_quarters(prepared: PreparedRecording, at: Optimum) -> Prediction:
@@ -55,11 +52,11 @@ def predict_quarters(prepared: PreparedRecording, at: Optimum) -> Prediction:
     used = np.asarray(seen.angle_weight) > 0
     which = np.where(used, (np.cumsum(used, axis=1) - 1) * QUARTERS // used.sum(), -1)
     held_out = np.arange(QUARTERS)[:, None, None] == which
-    first, *later = candidates = fitted_without(prepared, at, held_out)
+    first, *later = fitted_without(prepared, at, held_out)
     begun = started(prepared, at, 0, first, seen.weighed(held_out[0])).motion
     motions = [begun, *(release(prepared, each)[1] for each in later)]
     shown = np.select(list(held_out[..., None]), motions, 0.0)
-    return replace(prediction(seen, shown, used, which), fits=tuple(candidates))
+    return prediction(seen, shown, used, which)
 
 
 def fitted_without(
