@@ -1,10 +1,14 @@
 """A hand that lets go slowly carries a leg while it is slow, a stretch reflex brakes a fast one."""
 
+from dataclasses import replace
+
 import pytest
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.hands.first_swing import FirstSwing, by_energy
-from exoid.fitting.hands.kept_back import AS, NEXT
+from exoid.fitting.hands.kept_back import AS, NEXT, what
+from exoid.fitting.hands.slow_release import of_slow
+from exoid.fitting.movements import movements_of
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.conclude.verdict.begins_and_ends import begins_and_ends, what_next
 from exoid.recordings.recording import Protocol, Recording, Subject
@@ -25,13 +29,24 @@ FAST = FirstSwing(carried=0.1, braked=0.0, speed=5.0)
     ("drops", "by"),
     [
         ([HELD, HELD], "hand"),
+        ([HELD, FREE], "hand"),
+        ([FREE, FAST], "neither"),
         ([TRIPPED, TRIPPED], "speed"),
         ([FREE, TRIPPED], "speed"),
         ([FAST, TRIPPED], "unknown"),
         ([HELD, TRIPPED], "unknown"),
         ([BOTH, BOTH], "unknown"),
     ],
-    ids=["hands", "reflexes", "one below its threshold", "once", "one each", "both at once"],
+    ids=[
+        "hands",
+        "one hand",
+        "no energy",
+        "reflexes",
+        "one below its threshold",
+        "once",
+        "one each",
+        "both at once",
+    ],
 )
 def test_what_a_speed_trips_brakes_every_fast_leg_and_no_slow_one(drops, by):
     assert by_energy(drops) == by
@@ -42,6 +57,18 @@ def test_a_filter_blurs_a_release_as_a_hand_does_and_brakes_no_fast_leg():
     assert by_energy([TRIPPED, TRIPPED], blurred=True) == "speed"
     assert "filter" in AS["filtered"]
     assert "as it was measured" in NEXT["filtered"]
+
+
+def test_where_no_energy_is_missing_a_sensor_is_named_beside_a_spring_and_no_hand_blamed():
+    """A goniometer whose gain changes with the angle bends a leg's largest swing most."""
+    (whole,) = movements_of([("leg", dropped(ADULT, lasting=5.0)[0])])
+    for by, named, blamed in (("neither", "goniometer", False), ("hand", "a hand lets go", True)):
+        (note,) = of_slow([replace(whole, slow=0.6, kept_back=by)])
+        assert named in note
+        assert ("is kept back" in note) is blamed
+        assert ("No leg falls like this" in note) is blamed
+        assert what(by) in begins_and_ends([replace(whole, slow=0.6, kept_back=by)])[0]
+    assert "known angles" in NEXT["neither"]
 
 
 def kept_back(result: FitResult) -> set[str]:

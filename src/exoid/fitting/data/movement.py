@@ -20,7 +20,7 @@ from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.noise import Noise
 
 # A hand from the release on, or what acts on a leg once it is fast, as a reflex; or either.
-KeptBack = Literal["hand", "speed", "filtered", "unknown"]
+KeptBack = Literal["hand", "speed", "filtered", "neither", "unknown"]
 
 
 @dataclass(frozen=True, eq=False)

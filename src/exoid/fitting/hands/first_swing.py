@@ -74,13 +74,16 @@ def is_blurred(each: Movement) -> bool:
 
 def by_energy(drops: Sequence[FirstSwing], *, blurred: bool = False) -> KeptBack:
     """A hand leaves a leg before it is fastest; a filter that has `blurred` a release looks alike.
-    What a speed trips leaves a slow leg alone, and it trips it in every drop that is as fast.
+    What a speed trips leaves a slow leg alone, and it trips it in every drop that is as fast. Where
+    no energy is missing it is neither.
     """
     braked = [each.speed for each in drops if each.braked > BRAKED]
     others = [each.speed for each in drops if each.braked <= BRAKED]
-    if not braked:
-        return "filtered" if blurred else "hand"
     carried = any(each.carried > CARRIED for each in drops)
+    if not braked and blurred:
+        return "filtered"
+    if not braked:
+        return "hand" if carried else "neither"
     return "unknown" if carried or max(others, default=0.0) >= min(braked) else "speed"
 
 

@@ -13,13 +13,14 @@ import numpy as np
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.hands.first_instants import differ
 from exoid.fitting.hands.first_swing import bottom, fastest, kept_back_by
-from exoid.fitting.hands.kept_back import AS, NEXT
+from exoid.fitting.hands.kept_back import NEXT, what
 from exoid.fitting.hands.last_instants import LOUD, Fitted, misses
 from exoid.fitting.misfit.missed import NOISY, Missed
 from exoid.recordings.motion.acceleration import derivatives, free_until, own_law
 from exoid.recordings.motion.signal import Signal
 from exoid.recordings.signal.condition import cut
 
+NONE = "No leg falls like this that swings as it does afterwards. "
 Instant = Callable[[Movement], int]
 
 
@@ -107,7 +108,7 @@ def of_slow(movements: list[Movement]) -> list[str]:
     since = [f"{each.name} from {each.segment.begins:.2f} s" for each in slow]
     longest, by = max(each.slow for each in slow), slow[0].kept_back
     return [
-        f"the first {longest:.2f} s behind the release were left out: in its first swing the leg "
-        f"is kept back, {AS[by]}. No leg falls like this that swings as it does afterwards, and "
-        f"the numbers come from these swings alone: segment {', '.join(since)} on. {NEXT[by]}"
+        f"the first {longest:.2f} s behind the release were left out: in its first swing "
+        f"{what(by)}. {NONE if by != 'neither' else ''}The numbers come from the swings behind it "
+        f"alone: segment {', '.join(since)} on. {NEXT[by]}"
     ]

@@ -1,7 +1,7 @@
 """That nothing is missing but where movements begin or end, and nobody can say why there."""
 
 from exoid.fitting.data.movement import Movement
-from exoid.fitting.hands.kept_back import AS, NEXT
+from exoid.fitting.hands.kept_back import NEXT, what
 
 SOONER = "Record from 0.3 s before the release on."
 LONGER = "Leave the leg alone until it hangs still."
@@ -24,7 +24,7 @@ def begins_and_ends(movements: list[Movement]) -> list[str]:
         longest = max(each.slow for each in slow)
         reasons.append(
             f"nothing is missing but in the first {longest:.2f} s behind the release of segment "
-            f"{names(slow)}: there the leg is kept back, {AS[slow[0].kept_back]}"
+            f"{names(slow)}: there {what(slow[0].kept_back)}"
         )
     if kept:
         reasons.append(

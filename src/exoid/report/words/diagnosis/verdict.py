@@ -13,7 +13,7 @@ def headline(found: Diagnosis) -> str:
     if found.verdict == "none":
         return "Nothing is missing: simulation and recording agree within the noise."
     if found.but_ends and any(each.left_out for each in found.fit.segments):
-        return "Nothing is missing but in the first swing: something keeps the leg back there."
+        return "Nothing is missing but in the first swing: it is unlike the swings behind it."
     if found.but_ends:
         return "Nothing is missing but where movements begin or end."
     if found.verdict == "cannot_tell":
