@@ -4,10 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
-from exoid.recordings.recording import Recording
-from hands import Device, Hand, Knee, dropped
+from exoid.fitting.hands.last_instants import swung
+from exoid.fitting.movements import movements_of
+from exoid.recordings.recording import Protocol, Recording, Segment, Subject
+from hands import ADULT, Device, Hand, Knee, dropped
 
 STIFF = Knee(27.0, 30.0, 2.0)
 CAMERA = Device(60.0, np.radians(0.3), None)
@@ -71,3 +74,52 @@ def test_legs_that_rest_by_themselves_keep_their_rest():
 def test_a_single_drop_has_nobody_to_contradict_it():
     result = fit(session(2.0), multistart=STARTS)
     assert kept(result) == [None]
+
+
+def caught(number: int, start: float, at: float, seed: int) -> Segment:
+    """A drop that a hand takes over within 0.35 s, from that time on, and leads to its rest."""
+    rng, step = np.random.default_rng(10 * seed + number), 0.01
+
+    def slope(t, y):
+        grip = min(max((t - at) / 0.35, 0.0), 1.0)
+        return y[1], ADULT.pull(y[0], y[1]) - grip * (90.0 * (y[0] + 1.35) + 10.0 * y[1])
+
+    free = np.arange(0.0, 3.8, step)
+    found = solve_ivp(
+        slope, (0.0, 3.8), [start, 0.0], t_eval=free, rtol=1e-9, atol=1e-10, max_step=0.02
+    ).y
+    angle, rate = np.concatenate([np.repeat([[start], [0.0]], 60, axis=1), found], axis=1)
+    return Segment(
+        step * np.arange(angle.size),
+        raw_angle=angle + 6e-4 * rng.standard_normal(angle.size),
+        raw_angular_velocity=rate + 2e-3 * rng.standard_normal(angle.size),
+    )
+
+
+def softly_caught(seed: int) -> Recording:
+    """A hand ends every drop amid its swings."""
+    drops = zip((-0.3, -0.65, -1.0), (2.0, 1.6, 1.8), strict=True)
+    segments = [caught(number, *each, seed) for number, each in enumerate(drops)]
+    body = Subject(kind="leg", body_mass=74.0, height=1.78)
+    return Recording(tuple(segments), body, Protocol(kind="passive"))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [1, 2])
+def test_swings_before_hands_that_end_every_drop_softly_tell_the_leg(seed):
+    """Friction that ends such swings would take as much from each before."""
+    result = fit(softly_caught(seed), multistart=STARTS)
+    assert result.follows
+    assert any("stops the leg" in note for note in result.notes)
+    for name in ("gravity", "stiffness", "damping"):
+        found = result.ratios[f"{name}_over_inertia"]
+        assert abs(found.value - getattr(ADULT, name)) < 4 * found.standard_error
+    assert result.ratios["gravity_over_inertia"].standard_error < 0.1
+
+
+def test_only_a_hand_ends_a_wide_swing_within_one():
+    (whole,) = movements_of([("leg", dropped(Knee(damping=2.0), lasting=8.0)[0])])
+    early, late = (int(np.searchsorted(whole.segment.time, at)) for at in (1.5, 5.0))
+    assert swung(replace(whole, kept=early))
+    assert not swung(replace(whole, kept=late))
+    assert swung(whole)

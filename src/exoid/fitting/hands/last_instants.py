@@ -19,7 +19,10 @@ from exoid.recordings.motion.thresholds import LATE, REST
 LOUD = 2.0  # times the noise that a drop misses by, where a hand kept its leg
 FOLLOWS = 1.5  # times the noise that a drop may miss where no hand is on it
 BY_CHANCE = 4.0  # standard deviations of a sum of squares
-ALONE = 1  # drop at least must show how a leg ends by itself
+ALONE = 1  # drop at least must show how a leg ends by itself, where it hardly swung any more
+SOFT = 0.5  # s before a hand is seen in which a soft one may have begun: 0.34 at most
+WIDE = np.radians(10.0)  # of a swing that friction does not end: it had lost as much in each before
+SWING = 1.0  # s, in which a leg swings to and fro
 
 Fitted = tuple[Problem, SearchResult]
 
@@ -35,7 +38,7 @@ def without_hands(
     """
     movements = whole.movements
     drops = [number for number, each in enumerate(movements) if each.kind == "passive"]
-    loud = [n for n in drops if np.nanmean(misses(whole, of_whole.best, n) ** 2) > LOUD**2]
+    loud = [n for n in drops if is_loud(whole, of_whole, n) or is_caught(movements[n])]
     if len(drops) < 2 or not loud:
         return None
     kept = [ended(each, sure_until(each)) for each in movements]
@@ -49,7 +52,7 @@ def without_hands(
         if not disturbed(more):
             kept, found = trial, more
     hands = [number for number in drops if kept[number].kept is not None]
-    if not 0 < len(hands) <= len(drops) - ALONE:
+    if not hands or (len(hands) > len(drops) - ALONE and not all(map(swung, kept))):
         return None
     there = simulated(whole, found)
     longer = list(kept)
@@ -62,7 +65,29 @@ def sure_until(each: Movement) -> int:
     """How many samples come before the swing that a hand may have ended."""
     if each.extent is None or each.kind != "passive":
         return each.angle.size
-    return min(max(each.extent.sure - each.extent.start, 0), each.angle.size)
+    time = each.segment.time
+    count = min(max(each.extent.sure - each.extent.start, 1), time.size)
+    soft, least = np.searchsorted(time, [time[count - 1] - SOFT, time[0] + SOFT])
+    return min(count, max(int(soft), int(least)))
+
+
+def is_loud(whole: Problem, found: SearchResult, number: int) -> bool:
+    """Does a drop miss far more than noise does?"""
+    return bool(np.nanmean(misses(whole, found.best, number) ** 2) > LOUD**2)
+
+
+def is_caught(each: Movement) -> bool:
+    """Was a hand seen, which may have begun before?"""
+    return each.extent is not None and each.extent.ended == "caught"
+
+
+def swung(each: Movement) -> bool:
+    """Did a drop swing so widely, when it was stopped, that no friction can have done it?"""
+    if each.kept is None:
+        return True
+    time = each.segment.time[: each.kept]
+    last = each.angle[np.searchsorted(time, time[-1] - SWING) : each.kept]
+    return bool(np.nanmax(last) - np.nanmin(last) > WIDE)
 
 
 def ended(each: Movement, count: int) -> Movement:
