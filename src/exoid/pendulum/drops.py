@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from exoid.pendulum.catalogue import MEASURES, measures
+from exoid.pendulum.catalogue import MEASURES
+from exoid.pendulum.drift import read_off
 from exoid.pendulum.drop import Average, Drop, PendulumTest
 from exoid.pendulum.halt import of_halt
 from exoid.pendulum.off_clock import with_doubted_clock
@@ -81,11 +82,13 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
             raise NotAllowed(f"{said}. {AGAIN}")
         law = law_for(cleaned.recording, number)
         seen = signal_of(segment, cleaned.recording.sensors)
-        found = find_landmarks(track, recording.subject.kind != "rig", law, seen)
-        halt = None if recording.subject.kind == "rig" else of_halt(found)
-        read, smoothed = as_smoothed(measures(found), cleaned.angle, recording)
+        handled = recording.subject.kind != "rig"
+        drifting = read_off(track, lambda each: find_landmarks(each, handled, law, seen))
+        found = drifting.landmarks
+        halt = of_halt(found) if handled else None
+        read, smoothed = as_smoothed(drifting.measures, cleaned.angle, recording)
         read, clock = with_doubted_clock(read, segment, recording.sensors)
-        note = "; ".join(filter(None, (smoothed, clock))) or None
+        note = "; ".join(filter(None, (drifting.note, smoothed, clock))) or None
         if halt is None:
             check_motion(read)
     except NotAllowed as why:

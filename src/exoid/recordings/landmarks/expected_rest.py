@@ -35,8 +35,8 @@ def expected_rest(turns: Sequence[Peak]) -> Peak:
     return Peak(last.sample, last.time, last.time_error, value, error)
 
 
-def band(turns: Sequence[Peak]) -> float:
-    """Half of that within which friction may hold the leg [rad].
+def band(turns: Sequence[Peak], sure: float = SURE) -> float:
+    """Half of that within which friction may hold the leg [rad], `sure` by so many standard errors.
 
     With viscous damping beside it, each swing is s' = q s - 2 f (1 + q), f the half band: three
     swings tell both. Two tell that f is at most a quarter of what they differ by, as all of that
@@ -50,4 +50,4 @@ def band(turns: Sequence[Peak]) -> float:
     share = min(float(steps[1] / steps[0]), 1.0)
     told = max(float(share * swings[0] - swings[1]), 0.0) / (2 * (1 + share))
     noise = float(np.linalg.norm([each.error for each in turns[-FEWEST - 1 :]]))
-    return min(most, told + SURE * noise * float(swings[0] / steps[0]))
+    return min(most, told + sure * noise * float(swings[0] / steps[0]))
