@@ -11,7 +11,6 @@ ASTRAY = 0.1  # of how far the leg moves, missed beyond the noise: then it is an
 ALONE = 0.3  # the same of a single segment: a small one may hold what the model misses
 HELD = 0.03  # the same where a limit decided ...
 HELD_NOISE = 10.0  # ... and times the noise
-EXPLAINED = 2.0  # times the noise
 
 
 def astray(segments: Sequence[SegmentFit], limits: Sequence[str] = ()) -> str | None:
@@ -66,13 +65,6 @@ def lost(segments: Sequence[SegmentFit], found: Disturbance) -> str | None:
     """Why what only segments that were not believed tell is worth nothing; None where it is."""
     others = unbelieved(segments, found)
     return f"{not_followed(others)}, which alone tell it" if others and astray(others) else None
-
-
-def explained(segments: Sequence[SegmentFit]) -> bool:
-    """Is hardly more missed than noise, whatever else is not to be believed?"""
-    return pooled(segments, lambda each: each.angle_rmse) < EXPLAINED * pooled(
-        segments, lambda each: each.angle_noise
-    )
 
 
 def roughly(error: float, segments: Sequence[SegmentFit]) -> bool:

@@ -18,7 +18,7 @@ from exoid.fitting.multistart.at_odds import at_odds
 from exoid.fitting.multistart.gross_errors import hung_elsewhere, slanted
 from exoid.fitting.multistart.pulled_by_declared import led_astray
 from exoid.fitting.multistart.search_result import SAME_LOSS, SearchResult
-from exoid.fitting.result.agreement import astray, believed, explained, of_the_rest
+from exoid.fitting.result.agreement import astray, believed, of_the_rest
 from exoid.fitting.result.equally_good import equally_good
 from exoid.fitting.result.estimates import (
     estimate_moment,
@@ -157,8 +157,7 @@ def notes(result: FitResult, basis: Basis, at_bound: set[str], slack: Leaning | 
     """What the user should know of a fit; of one that does not follow what does not hang on it."""
     problem, ended = basis.problem, basis.ended
     if result.astray is not None:
-        whole = explained(result.segments)
-        return of_refused(result.astray, problem, ended, explained=whole)
+        return of_refused(result.astray, problem, ended.disturbance)
     known = [*limiting(result), *granted(problem)]
     tone = tone_of(result.segments)
     inertia = result.parameters["inertia"].value

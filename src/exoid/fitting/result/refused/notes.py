@@ -9,14 +9,13 @@ from collections.abc import Collection, Sequence
 import numpy as np
 
 from exoid.fitting.data.movement import Movement
+from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.systematics import by_recording
-from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.refused.own_swing import own_swing, rests
 from exoid.fitting.result.remarks.anatomy_remarks import length_of
 from exoid.fitting.result.remarks.gyro_remarks import scale_of
 from exoid.fitting.result.remarks.remarks import as_taken, of_astray
-from exoid.fitting.result.remarks.zero_remarks import of_far_zeros
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import GRAVITY
 from exoid.recordings.conventions.angle_convention import ON_ITS_SIDE
@@ -47,19 +46,16 @@ RIG = (
 DRIVEN = "of a torque that was measured: its sign, its unit, and that it is not late"
 
 
-def of_refused(why: str, problem: Problem, ended: SearchResult, *, explained: bool) -> list[str]:
-    """That it is not followed, what it shows of itself, and what may be behind it. Where the fit
-    has `explained` all but the noise, if with a zero that nobody believes, it may be that zero.
-    """
-    zeros = of_far_zeros(problem, ended) if explained else []
+def of_refused(why: str, problem: Problem, found: Disturbance) -> list[str]:
+    """That it is not followed, what it shows of itself, and what may be behind it."""
+    movements, rig = problem.movements, problem.belief.rig
     return [
         *of_astray(why, problem),
-        *of_sensors(problem.movements),
-        *of_swing(problem.belief, problem.movements),
-        *of_rests(problem.movements),
-        *zeros,
-        of_causes({each.kind for each in problem.movements}, rig=problem.belief.rig),
-        *as_taken(problem, ended.disturbance),
+        *of_sensors(movements),
+        *([] if rig else of_swing(problem.belief, movements)),
+        *of_rests(movements),
+        of_causes({each.kind for each in movements}, rig=rig),
+        *as_taken(problem, found),
     ]
 
 
@@ -89,7 +85,7 @@ def of_sensors(movements: Sequence[Movement]) -> list[str]:
 
 def of_swing(belief: Belief, movements: Sequence[Movement]) -> list[str]:
     """That gravity does not turn a leg, or that it is drawn back as none of this body is."""
-    swing = None if belief.rig else own_swing(movements)
+    swing = own_swing(movements)
     if swing is None:
         return []
     if swing.level:
