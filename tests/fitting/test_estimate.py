@@ -328,7 +328,8 @@ def test_real_recordings_are_fitted_as_well_as_a_wide_search_did(name, shared):
     assert result.multistart.at_best == 16
     # Dry friction is not in the model, nor what a knee's muscle, or a marker, did.
     assert result.disturbance.widening.max() > 10  # what only data sheets tell widens by nothing
-    assert any("is more than the sensors' noise" in note for note in result.notes)
+    if result.follows:
+        assert any("is more than the sensors' noise" in note for note in result.notes)
 
 
 def test_that_the_simulation_does_not_follow_the_recording_is_said_first():
