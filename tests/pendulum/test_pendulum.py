@@ -269,6 +269,20 @@ def test_slow_and_interrupted_samples_are_refused():
     assert "Let it drop again" in found.reason
 
 
+@pytest.mark.parametrize("begin", [2.3, 3.1, 4.0])
+@pytest.mark.parametrize("lasting", [0.33, 0.4])
+def test_a_hole_that_hides_how_often_the_leg_turned_costs_what_needs_every_turn(begin, lasting):
+    (segment,) = drop().segments
+    whole = only(drop())
+    time = segment.time
+    seen = (time < begin) | (time > begin + lasting)
+    left = only(recorded(segment.raw_angle[seen], time[seen]))
+    for name in ("first_flexion_amplitude", "relaxation_index", "plateau_angle", "time_to_rest"):
+        assert left[name].value == pytest.approx(whole[name].value, abs=2e-3)
+    for name in ("number_of_oscillations", "logarithmic_decrement_3"):
+        assert "interrupted" in left[name].reason
+
+
 @pytest.mark.parametrize("begin", np.arange(0.6, 4.0, 0.17).tolist())
 def test_a_short_hole_costs_only_what_lies_in_it(begin):
     (segment,) = drop().segments

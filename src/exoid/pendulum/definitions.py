@@ -100,6 +100,7 @@ def index_of(drop: Landmarks, rest: Peak, norm: float) -> DropReading:
 def number_of_oscillations(drop: Landmarks) -> DropReading:
     """Its error is 1 where a peak lies so near to the band of rest that noise may decide."""
     drop.check_fall()
+    drop.check_counted()
     rest, found = drop.rest.angle, drop.turns[::2]
     for each in found:
         drop.track.check_seen(each.time)

@@ -12,7 +12,14 @@ from exoid.recordings.landmarks.measure import Found, NotAllowed
 from exoid.recordings.landmarks.release import Release, find_release
 from exoid.recordings.landmarks.rest import CutBefore, Rest, find_rest
 from exoid.recordings.landmarks.swing import turned, turns
-from exoid.recordings.landmarks.track import FEWEST, HALF, SURE, Peak, Track
+from exoid.recordings.landmarks.track import (
+    FEWEST,
+    HALF,
+    SURE,
+    Peak,
+    Track,
+    interrupted,
+)
 from exoid.recordings.motion.acceleration import Law
 from exoid.recordings.motion.extent import Extent, Motionless
 from exoid.recordings.motion.find_free import find_free
@@ -32,7 +39,9 @@ def find_landmarks(
 
     **Raises** `NotAllowed` where nothing moves, or what moves does not fall.
     """
+    hole = track.interruption
     track, extent = freely(track, seen_alone(track, seen), handled, law)
+    hole = hole if hole and hole[0] < track.time[-1] + HALF else None
     released = attempt(lambda: find_release(track, extent))
     free = None if isinstance(released, NotAllowed) else released
     begin = float(track.time[0]) if free is None else free.start.time
@@ -40,14 +49,33 @@ def find_landmarks(
     start = float(track.angle[0]) if free is None else free.start.value
     if found and found[0].value > start:
         raise NotAllowed(f"no drop: it first swings towards extension, up to {found[0].time:.2f} s")
+    before, after = around_hole(hole, found)
+    ends = found if free is None else [free.start, *found]
     return Landmarks(
         track,
         float(track.time[np.searchsorted(track.time, begin)]),
-        found,
+        before,
         released,
-        attempt(lambda: rested(track, extent, found if free is None else [free.start, *found])),
-        None if free is None else held(track, free, found),
+        attempt(lambda: rested(track, extent, ends if after is None else after, hole)),
+        None if free is None else held(track, free, before),
+        hole and interrupted(*hole),
     )
+
+
+def around_hole(
+    hole: tuple[float, float] | None, turns: list[Peak]
+) -> tuple[list[Peak], list[Peak] | None]:
+    """The turns that can be counted, and those after a hole that hides how many there were; all,
+    and None, where there is none.
+
+    **Raises** `NotAllowed` where the hole comes before the first swing is over.
+    """
+    if hole is None:
+        return turns, None
+    before = [each for each in turns if each.time + HALF <= hole[0]]
+    if not before:
+        raise interrupted(*hole)
+    return before, [each for each in turns if each.time > hole[1]]
 
 
 def seen_alone(track: Track, seen: Signal | None) -> Signal:
@@ -75,8 +103,14 @@ def first_top(track: Track) -> int:
     return turns[0] if turns and track.angle[turns[0]] > track.angle[0] else 0
 
 
-def rested(track: Track, extent: Extent, turns: list[Peak]) -> Rest:
-    """The rest that a drop ends with, before a hand took the leg if one did."""
+def rested(
+    track: Track, extent: Extent, turns: list[Peak], hole: tuple[float, float] | None
+) -> Rest:
+    """The rest that a drop ends with, before a hand took the leg if one did; in a hole nobody saw
+    that.
+    """
+    if hole is not None and track.time[-1] < hole[1]:
+        raise interrupted(*hole)
     hidden = [at for at, each in enumerate(turns) if track.hole_at(each.time)]
     try:
         return find_rest(track, turns[hidden[-1] + 1 :] if hidden else turns)

@@ -33,6 +33,7 @@ class Landmarks:
     released: Release | NotAllowed
     rested: Rest | NotAllowed
     held: NotAllowed | None  # why it did not fall freely at first
+    uncounted: NotAllowed | None = None  # why turns after the last are not counted
 
     @property
     def release(self) -> Release:
@@ -58,6 +59,7 @@ class Landmarks:
         """
         if not isinstance(self.rested, CutBefore):
             return self.rest.angle
+        self.check_counted()
         for each in self.turns:
             self.track.check_seen(each.time)
         return expected_rest(self.turns)
@@ -72,8 +74,14 @@ class Landmarks:
             return self.release.start
         return self.turn(2 * number - 1, f"{ordinal(number)} extension")
 
+    def check_counted(self) -> None:
+        """Refuse what needs every turn of the leg, where a hole hides some."""
+        if self.uncounted is not None:
+            raise self.uncounted
+
     def turn(self, number: int, what: str) -> Peak:
         if number >= len(self.turns):
+            self.check_counted()
             raise NotAllowed(
                 f"too few swings: there is no peak of the {what}, with a swing back of "
                 f"{np.degrees(back(self.track)):.2g} deg after it"

@@ -16,6 +16,7 @@ DEGREE = 4  # the middle of a swing is then followed to 1 in 2000, its accelerat
 SURE = 3.0  # standard errors
 FEWEST = DEGREE + 2  # samples of a polynomial
 HOLE = 0.3  # s without an angle that are bridged: a leg turns around once in them at most
+LONGEST = 1.0  # s without one, before and after which a drop is read
 SLOWEST = 0.041  # s between samples, of PAL cameras: of a slower recording, fewer than six samples
 # would tell a turn
 
@@ -70,6 +71,11 @@ class Track:
         return list(zip(self.time[at].tolist(), self.time[at + 1].tolist(), strict=True))
 
     @cached_property
+    def interruption(self) -> tuple[float, float] | None:
+        """The first hole in which a leg may turn around twice [s]."""
+        return next((each for each in self.holes if each[1] - each[0] > HOLE), None)
+
+    @cached_property
     def uneven(self) -> float:
         """By how much a step is other than the usual one, at most [s]."""
         return float(np.abs(np.diff(self.time) - self.step).max())
@@ -89,16 +95,21 @@ def track_of(segment: Segment, noise: float) -> Track:
     step = quantile(steps)
     if step > SLOWEST:
         raise NotAllowed(f"sampled too slowly: at {1 / step:.3g} Hz, 25 Hz are the least")
-    if steps.max() > HOLE:
+    if steps.max() > LONGEST:
         at = int(np.argmax(steps))
-        raise NotAllowed(
-            f"interrupted: {unseen(time[at], time[at + 1])}, and a leg may turn around twice in "
-            f"more than {HOLE:g} s. Let it drop again, and see that the angle is seen throughout"
-        )
+        raise interrupted(time[at], time[at + 1])
     count = block_size(step, BLOCK)
     middle = sample[count // 2 :: count][: sample.size // count]
     angle = block_means(segment.best_angle[sample], count)
     return Track(middle, block_means(time, count), angle, noise / np.sqrt(count))
+
+
+def interrupted(begin: float, end: float) -> NotAllowed:
+    """Why nothing is read that needs every turn of the leg."""
+    return NotAllowed(
+        f"interrupted: {unseen(begin, end)}, and a leg may turn around twice in more than "
+        f"{HOLE:g} s. Let it drop again, and see that the angle is seen throughout"
+    )
 
 
 def unseen(begin: float, end: float) -> str:
