@@ -20,6 +20,8 @@ def test_a_cause_is_not_claimed_where_neither_model_follows(astray, verdict, mon
     monkeypatch.setattr(with_model, "leg_of", Mock())
     monkeypatch.setattr(with_model, "likely", Mock(return_value=[]))
     monkeypatch.setattr(with_model, "suspects", Mock(return_value=[]))
+    monkeypatch.setattr(with_model, "advice", Mock(return_value=[]))
+    monkeypatch.setattr(with_model, "with_threshold", Mock(return_value=[]))
     monkeypatch.setattr(with_model, "by_eq9", lambda same: same)
     monkeypatch.setattr(with_model, "fit", Mock(side_effect=ArithmeticError))
     said = with_model.with_model(one, [], {}, lambda phase: None)
