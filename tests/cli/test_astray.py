@@ -69,7 +69,7 @@ def test_the_page_begins_with_it_and_calls_nothing_good(lost):
     page = lost[1]["html"].read_text()
     first = page.index('class="card ')
     assert page[first:].startswith('class="card open">')
-    assert "No. Do not use the numbers below." in page[first : first + 400]
+    assert "No. None of its numbers is shown." in page[first : first + 400]
     cards = page[first : page.index("</section>", first)]
     assert 'class="card good"' not in cards
     for name in ("summary", "parameters", "told", "multistart"):  # a drop's own measures are none
@@ -80,7 +80,7 @@ def test_the_page_begins_with_it_and_calls_nothing_good(lost):
 def test_a_saved_one_still_says_so(command, lost, tmp_path):
     done = command("report", lost[1]["nc"], "-o", tmp_path / "again.html")
     assert done.returncode == 1
-    assert "No. Do not use the numbers below." in (tmp_path / "again.html").read_text()
+    assert "No. None of its numbers is shown." in (tmp_path / "again.html").read_text()
     compared = command("compare", lost[1]["nc"], lost[1]["nc"])
     assert compared.stdout.count("does not follow the recording") == 2
 

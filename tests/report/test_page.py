@@ -198,7 +198,7 @@ def test_a_fit_that_does_not_follow_says_so_first_and_calls_nothing_good():
     lost = replace(lost, notes=["the model does not follow this recording", *lost.notes])
     summary = parse(build_page(replace(case, fit=lost))).by_id("summary")
     cards = summary.of_class("card")
-    assert "Do not use the numbers below" in cards[0].text
+    assert "None of its numbers is shown" in cards[0].text
     assert not summary.of_class("good")
     assert "good" not in summary.text
     assert {row["how far to believe it"] for row in rows(summary.all("table")[0])} == {LOST}

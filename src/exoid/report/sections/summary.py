@@ -104,7 +104,7 @@ def agreement(case: Case) -> Group:
         return card(
             question,
             "open",
-            "No. Do not use the numbers below.",
+            "No. None of its numbers is shown.",
             sentence(astray(fit, diagnosed=case.diagnosis is not None)),
         )
     partly = of_the_rest(fit.segments, fit.disturbance)
