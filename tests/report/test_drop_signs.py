@@ -16,6 +16,7 @@ def test_angles_have_a_sign_and_sizes_have_none():
     said = io.StringIO()
     print_drops(test, Console(file=said, width=400))
     assert "peak velocities and accelerations are sizes" in said.getvalue()
+    assert "Start angle and plateau hold what the sensor's zero is off" in said.getvalue()
     values = test.drops[0].measures
     for name in (*SIZES, "peak_flexion_acceleration", "peak_extension_velocity"):
         value = values[name].value

@@ -46,7 +46,9 @@ def explain(test: PendulumTest, console: Console) -> None:
         say(console, f"Segment {', '.join(names)}: {reason}.")
     say(console, "± is one standard error by the noise of the angle; of an average, the standard "
         "deviation over drops. Angles are negative in flexion, 0 is the extended knee; amplitudes, "
-        "peak velocities and accelerations are sizes, whichever way the leg moves.")  # fmt: skip
+        "peak velocities and accelerations are sizes, whichever way the leg moves. Start angle and "
+        "plateau hold what the sensor's zero is off, which no drop tells without a model of the "
+        "leg, and of which ± holds nothing; amplitudes and indices do not.")  # fmt: skip
     if EXPECTED in test.average:
         say(console, A_E)
     say(console, SOURCE)
