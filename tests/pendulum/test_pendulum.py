@@ -258,6 +258,12 @@ def test_a_leg_that_sinks_without_a_swing_has_too_few_of_them():
     assert sinking["number_of_oscillations"].value == 0
 
 
+def test_two_rows_are_too_few_for_any_movement():
+    rows = recorded(np.array([-0.35, -0.37]), np.array([0.0, 0.01]))
+    (found,) = measure_drops(Recording(rows.segments)).drops
+    assert found.reason == "too short: it holds 2 samples of the angle"
+
+
 def test_slow_and_interrupted_samples_are_refused():
     slow = drop(step=0.05)
     assert "sampled too slowly: at 20 Hz" in measure_drops(slow).drops[0].reason

@@ -75,9 +75,11 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
     segment, mass = cleaned.recording.segments[number], recording.added_mass(number)
     kind = recording.kind(number) or classify(segment)
     try:
-        if kind != "passive":
+        if kind in ("active", "measured"):
             raise NotAllowed(REFUSED[kind])
         track = track_of(segment, cleaned.angle.level)
+        if kind is None:
+            raise NotAllowed(REFUSED[kind])
         if said := told_jumps(jumps_of(segment, cleaned.angle.level)):
             raise NotAllowed(f"{said}. {AGAIN}")
         law = law_for(cleaned.recording, number)

@@ -111,13 +111,13 @@ def reversals(angle: Samples, least: float) -> list[int]:
 
 def classify(segment: Segment) -> Kind | None:
     """Swung out, whatever lifts the leg after that, or ended lower: a passive drop; back at its
-    start: a voluntary cycle; a lift or still: None.
+    start: a voluntary cycle; a lift, still, or too few samples for ends and a middle: None.
     """
     channel = next(each for each in ANGLES if getattr(segment, each) is not None)
     wild = spikes_of(segment, channel, 0.0)
     known = np.where(wild, np.nan, getattr(segment, channel))
     angle = interpolated(segment.time, known)
-    if np.ptp(angle) == 0:
+    if angle.size <= 2 * ENDS or np.ptp(angle) == 0:
         return None
     begin, end = (float(np.median(each)) for each in (angle[:ENDS], angle[-ENDS:]))
     rise = (end - begin) / np.ptp(angle)
