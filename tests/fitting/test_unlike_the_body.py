@@ -123,9 +123,9 @@ def test_a_spring_slack_in_a_bent_position_is_asked_for_first_where_it_would_do(
     first = said.partition("body mass, height and age")[0]
     assert ("slack in a bent position" in first) == (bent and shorter)
     assert ("fewer than one leg in a thousand" in first) != (bent and shorter)
-    assert said.endswith("holds as well as 'if slack' beside ± says.")
+    assert said.endswith("holds as well as 'if slack' beside ± says, if times and zero are right.")
     (sure,) = of_anatomy(belief, gravity, None)
-    assert sure.endswith("the ratios to J, holds.")
+    assert sure.endswith("the ratios to J, holds, if times and zero are right.")
 
 
 SEATED = (26.5, 13.2, 1.6)  # m l g / J and c / J [1/s^2], d / J [1/s]

@@ -36,8 +36,9 @@ CYCLES = (
 )
 LET_GO = (
     "of a leg that was let go: a hand that stays at it or catches it, a muscle that acts, a mass "
-    "that is not declared, an encoder or a strap that drifts, a stop, or a spring that is slack "
-    "elsewhere than at full extension ('exoid fit --with stiffness_rest_angle')"
+    "that is not declared, an encoder or a strap that drifts, a stop, dry friction ('exoid fit "
+    "--with coulomb_friction'), or a spring that is slack elsewhere than at full extension (--with "
+    "stiffness_rest_angle)"
 )
 RIG = (
     "of a rig that was let go: dry friction ('exoid fit --with coulomb_friction'), a stop, a "

@@ -11,6 +11,7 @@ LEANING = "m, J, l, d and c lean on anatomy, and are worth nothing where it is n
 LEFT_OUT = "The tables count for nothing here"
 HOLDS = "what the motion tells, the ratios to J, holds"
 AS_OPEN = " as well as 'if slack' beside ± says"
+IF_RIGHT = ", if times and zero are right"
 SWING = "gravity_over_inertia"
 TWICE = 2.0  # of what is open for where a spring is slack: 60 deg of flexion, if nothing shows it
 BENT = (
@@ -28,7 +29,7 @@ def of_anatomy(belief: Belief, gravity: float, slack: Leaning | None) -> list[st
     return [
         f"{each}. {first} body mass, height and age, the encoder's zero, the times "
         f"({at_rate(belief, gravity)} would explain it), and that every mass on the leg is "
-        f"declared. {leaning}; {HOLDS}{AS_OPEN if slack else ''}."
+        f"declared. {leaning}; {HOLDS}{AS_OPEN if slack else ''}{IF_RIGHT}."
         for each, first in unlike_unless_bent(belief, gravity, slack)
     ]
 
