@@ -114,8 +114,8 @@ def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
     named = shown is not found.base
     doubt = "that it may be another cause" if named else "what this recording cannot exclude"
     note = f"± of {', '.join(wide.values())} covers {doubt}: {', '.join(rivals)}."
-    lost = 0 if result.follows else 1  # of the notes: that it does not follow comes first
-    notes = [*result.notes[:lost], *([note] if wide else []), *result.notes[lost:]]
+    shown_too = bool(wide) and result.follows  # else no number is shown that could have an error
+    notes = [*([note] if shown_too else []), *result.notes]
     return replace(with_spread(result, spread, slack), notes=notes)
 
 
