@@ -54,6 +54,19 @@ def test_a_steady_zero_does_not_wander_whatever_else_is_wrong():
         assert told(0.03, seed, scale=0.97, late=0.008, eccentric=0.02) is None
 
 
+def test_a_late_gyro_does_not_wander_where_a_leg_is_let_go():
+    """Half the square of 25 ms times the acceleration of a fall is 0.6 deg/s."""
+    angle_noise, rate_noise, held, late = 4e-4, 2e-3, 0.4, 0.025
+    free = np.maximum(TIME - held, 0.0)
+    before = np.maximum(TIME - held - late, 0.0)
+    for seed in range(10):
+        generator = np.random.default_rng(seed)
+        angles = [angle_at(free) + angle_noise * generator.normal(size=TIME.size)] * 4
+        shown = np.where(before > 0, rate_at(before), 0.0)
+        rates = [shown + 0.01 + rate_noise * generator.normal(size=TIME.size) for _ in range(4)]
+        assert gyro_drift([TIME] * 4, angles, rates, (angle_noise, rate_noise)) is None
+
+
 def test_a_mismatch_that_no_drift_explains_is_left_alone():
     """A thigh that swings moves the gyro, not the encoder."""
     assert told(0.0, base=0.3) is None

@@ -1,8 +1,9 @@
 """A gyro's zero that wanders, told by the encoder without any leg model.
 
 Over a window the mean of the gyro is its zero plus the angle's change. A wrong scale adds what goes
-with that change, a late gyro with that of the rate, a magnet off the encoder's centre with those of
-the sines of the angle. What is left and changes slowly is the zero's drift.
+with that change, a late gyro with that of the rate and, by half the square of its delay, of the
+acceleration, a magnet off the encoder's centre with those of the sines of the angle. What is left
+and changes slowly is the zero's drift.
 """
 
 from dataclasses import dataclass
@@ -12,10 +13,13 @@ from numpy.typing import NDArray
 
 from exoid.recordings.chi_square import chance_above
 from exoid.recordings.samples import Samples
+from exoid.recordings.signal.local_line import local_line
 
 WINDOW = 0.5  # s; half a swing: short enough to separate motion and drift
-# By data sheets: of scale [1], delay [s], and what a magnet off its centre adds [rad].
-ERRORS = np.array([0.1, 0.02, 0.02, 0.02, 0.01, 0.01])
+# By data sheets: of scale [1], delay [s], half its square [s^2], and what a magnet off its centre
+# adds [rad].
+ERRORS = np.array([0.1, 0.02, 2e-4, 0.02, 0.02, 0.01, 0.01])
+STEADY = 0.1  # s, over which an acceleration is told by the rate
 KNOT = 2.5  # s between which the zero changes evenly
 FALSE = 1e-4  # chance that noise alone shows a drift
 EXPLAINED = 2.0  # mean square over its error, that a drift may leave: else the mismatch is another
@@ -32,7 +36,7 @@ class Windows:
     time: Samples  # s, their middles
     excess: Samples  # rad/s
     error: Samples  # rad/s
-    motion: NDArray[np.float64]  # (window, 6): what other errors of the sensors may add
+    motion: NDArray[np.float64]  # (window, error): what other errors of the sensors may add
 
 
 def gyro_drift(
@@ -82,7 +86,8 @@ def windows(time: Samples, angle: Samples, rate: Samples, noise: tuple[float, fl
     first, last = edges[:-1], edges[1:]
     length = time[last] - time[first]
     sines = [wave(turns * angle) for turns in (1, 2) for wave in (np.sin, np.cos)]
-    change, *others = ((each[last] - each[first]) / length for each in (angle, rate, *sines))
+    slope = local_line(time, rate, STEADY)[1]
+    change, *others = ((each[last] - each[first]) / length for each in (angle, rate, slope, *sines))
     of_angle, of_rate = noise
     error = np.sqrt(2 * (of_angle / length) ** 2 + of_rate**2 / (last - first))
     return Windows(
