@@ -83,7 +83,7 @@ def test_the_difference_is_held_as_often_as_the_interval_says():
 @pytest.mark.parametrize(
     ("groups", "word"),
     [
-        (["a"] * 6, "All people are of one group: a"),
+        (["a"] * 6, "All people with a value are of one group: a"),
         (["a"] * 5 + ["b"], "People with a value: a 5, b 1; 2 of each group"),
         ([None] * 6, "known of nobody"),
         ([""] * 6, "known of nobody"),

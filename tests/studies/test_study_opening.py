@@ -64,7 +64,7 @@ def test_groups_that_cannot_be_compared_say_why(study):
     kept = study.recordings[of_one]
     rows = study.quantities[study.quantities["recording"].isin(kept["recording"])]
     first = said(study_of(kept, rows), by="group")[0]
-    assert first.startswith("All people are of one group: control.")
+    assert first.startswith("All people with a value are of one group: control.")
 
 
 def test_a_group_without_values_is_counted_with_all_its_people(study):

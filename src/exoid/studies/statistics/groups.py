@@ -109,7 +109,7 @@ def complete(values: Values, columns: Sequence[str]) -> tuple[Frame, tuple[str, 
 def check(by: str, sizes: dict[str, int]) -> None:
     if len(sizes) < 2:
         word = by.removeprefix("participant_")
-        raise NotTold(f"All people are of one {word}: {', '.join(sizes)}.")
+        raise NotTold(f"All people with a value are of one {word}: {', '.join(sizes)}.")
     if len(sizes) > MOST_GROUPS:
         raise NotTold(f"{by!r} has {len(sizes)} groups: at most {MOST_GROUPS} are compared.")
     if min(sizes.values()) < FEWEST:
