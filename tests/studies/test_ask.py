@@ -102,7 +102,7 @@ def pathological():
     yield "one session", simulate(Design(people=8, days=1, drops=2), 0), "0 people have values"
     yield "constant", changed(study, value=1.5), "do not vary"
     yield "no drops", changed(study, value=np.nan), "No quantity has values"
-    yield "one group", simulate(Design(people=8, groups=1, drops=2), 0), "All people with a value are of one"
+    yield "one group", simulate(Design(people=8, groups=1, drops=2), 0), "value are of one group"
     yield "one side", simulate(Design(people=8, sides=1, drops=2), 0), "No value is of the side"
     yield "nobody", changed(study, participant=""), "name no participant"
     yield "anatomy", changed(study, determined_by="prior"), "no recording told them"
