@@ -18,9 +18,7 @@ from exoid.recordings.samples import Samples
 MISSED_LESS = (
     2**DEGREE - 1
 )  # times less of a slope is missed over half the time than both differ by
-MISSED_BEND = (
-    0.5  # of what both differ by beside a sharp stop, in acceleration: a fifth, seldom 0.7
-)
+MISSED_BEND = 0.5  # of what both differ by in acceleration beside a sharp stop: 0.2, seldom 0.7
 
 
 @dataclass(frozen=True, eq=False)

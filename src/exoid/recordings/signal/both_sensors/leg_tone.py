@@ -14,9 +14,7 @@ from exoid.recordings.signal.scatter import robust_deviation
 from exoid.recordings.signal.tone import AROUND, FALSE, powers, spectrum, standing_out, unbroken
 
 SLOWEST = 2.5  # Hz
-OWN = (
-    3.5  # times a leg's swing: what is missed of one, as friction, has its frequency or thrice that
-)
+OWN = 3.5  # times a leg's swing: what friction leaves of one is as fast, or three times
 PERIODS, PIECE = 3.0, 0.4  # of the tone, and s, that a piece has at least
 MOST = 0.6  # of what the gyro misses, that a tone is at least: what else is missed has no line
 STEADY, SURGES = 0.4, 2.0  # of its size: three of four pieces exceed the one, one of four the other
