@@ -95,7 +95,7 @@ def test_terms_of_the_model_are_those_of_every_fit_and_told_apart(
 
 @pytest.mark.parametrize(
     ("lacking", "asked"),
-    [("pyarrow", "run"), ("distributed", "run"), ("pyarrow", "report"), ("statsmodels", "report")],
+    [("pyarrow", "run"), ("distributed", "run"), ("pyarrow", "report")],
 )
 def test_without_its_packages_a_study_names_the_one_extra_that_has_them(
     folder, tmp_path, lacking, asked

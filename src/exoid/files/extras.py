@@ -8,7 +8,6 @@ EXTRAS = {
     "openpyxl": "excel",
     "pyarrow": "parquet",
     "pandas": "pandas",
-    "statsmodels": "study",
     "numpyro": "bayes",
     "starlette": "live",
     "uvicorn": "live",

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from statsmodels.stats.proportion import proportion_confint
+from scipy.stats import binomtest
 
 from exoid.studies.statistics.tables.frames import Frame
 from exoid.studies.statistics.tables.said import Interval, NotTold
@@ -54,7 +54,7 @@ def missing_physics(study: Study, by: str = "") -> tuple[Cause, ...]:
 def counted(cause: str, group: str, rows: Frame) -> Cause:
     having = rows[rows["note"] == cause]
     people, of_people = having["participant"].nunique(), rows["participant"].nunique()
-    low, high = proportion_confint(people, of_people, method="wilson")
-    share = Interval(people / of_people, float(low), float(high))  # pyright: ignore[reportArgumentType]
+    of_all = binomtest(people, of_people).proportion_ci(method="wilson")
+    share = Interval(people / of_people, of_all.low, of_all.high)
     recordings = having["recording"].nunique(), rows["recording"].nunique()
     return Cause(cause, group, *recordings, people, of_people, share)

@@ -66,7 +66,7 @@ def report(
     check_outputs((output, PAGES), (json, ()), force=force, inputs=tables)
     from exoid.files.extras import require
 
-    for package in ("pandas", "pyarrow", "statsmodels"):
+    for package in ("pandas", "pyarrow"):
         require(package, "studies are asked", "study")
     answers = patiently(
         lambda: answered(
