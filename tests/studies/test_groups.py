@@ -100,7 +100,7 @@ def test_people_of_no_group_are_left_out_and_counted():
     values = people(np.random.default_rng(0).normal(size=7), ["a"] * 3 + ["b"] * 3 + [None])
     found = compare_groups(values, "group")
     assert found.people == 6
-    assert found.notes == ("1 people left out: group is not known.",)
+    assert found.notes == ("1 person left out: group is not known.",)
 
 
 def test_a_person_of_two_groups_is_named():

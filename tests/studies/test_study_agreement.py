@@ -100,5 +100,5 @@ def test_sides_are_paired_on_days_that_have_both():
         agreement(found)
     with pytest.raises(NotTold, match="'z'"):
         pairs_of(Values("q", "1", frame), "session", "a", "z")
-    with pytest.raises(NotTold, match="1 people have both"):
+    with pytest.raises(NotTold, match="1 person has both"):
         pairs_of(Values("q", "1", frame), "session", "a", "b")

@@ -54,8 +54,8 @@ def pair(each: Any, name: str, noticed: list[tuple[Path, str]]) -> tuple[str, Re
         return name, each.recording
     if not isinstance(each, str | PathLike):
         raise ValueError(
-            f"this is a {type(each).__name__}, not a recording: of data in memory "
-            "exoid.recording(...) makes one."
+            f"a recording is asked for, and this is of type {type(each).__name__}: of data in "
+            "memory exoid.recording(...) makes one."
         )
     loaded = load(each if isinstance(each, str) else Path(each))
     noticed += [(Path(each), note) for note in loaded.notes]

@@ -9,6 +9,7 @@ import numpy as np
 from jaxtyping import Float
 from scipy.stats import f
 
+from exoid.files.counted import counted
 from exoid.studies.statistics.agreement import wald
 from exoid.studies.statistics.hedges import hedges
 from exoid.studies.statistics.mixed.covariates import apart, centred, label
@@ -100,9 +101,10 @@ def complete(values: Values, columns: Sequence[str]) -> tuple[Frame, tuple[str, 
             raise NotTold(f"{column!r} is not one thing for each person: see {who}.")
     known = frame[columns].notna().all(axis=1) & (frame[columns] != "").all(axis=1)
     absent = frame.loc[~known, "person"].nunique()
-    notes = (f"{absent} people left out: {' or '.join(columns)} is not known.",) if absent else ()
+    who, what = counted(absent, "person", "people"), " or ".join(columns)
+    notes = (f"{who} left out: {what} is not known.",) if absent else ()
     if not known.any():
-        raise NotTold(f"{' or '.join(columns)} is known of nobody.")
+        raise NotTold(f"{what} is known of nobody.")
     return frame[known].reset_index(drop=True), notes
 
 

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.files.counted import counted
 from exoid.studies.statistics.tables.frames import Column, Frame, frame_of
 from exoid.studies.statistics.tables.said import NotTold
 from exoid.studies.statistics.tables.values import OCCASION, Values, means
@@ -56,7 +57,8 @@ def pairs_of(values: Values, column: str, first: str, second: str) -> Pairs:
     found = whole[["first", "second"]].mean()
     if len(found) < FEWEST:
         raise NotTold(
-            f"{len(found)} people have both {first!r} and {second!r}: at least {FEWEST} are needed."
+            f"{counted(len(found), 'person has', 'people have')} both {first!r} and {second!r}: "
+            f"at least {FEWEST} are needed."
         )
     for name in ("first", "second"):
         square = whole[f"{name}_square"].sum(skipna=False)

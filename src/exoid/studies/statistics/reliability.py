@@ -12,6 +12,7 @@ from math import isnan
 import numpy as np
 from scipy.stats import norm
 
+from exoid.files.counted import counted
 from exoid.studies.statistics.icc import icc
 from exoid.studies.statistics.mixed.fit_mixed import fit_mixed
 from exoid.studies.statistics.mixed.parted import Parted, stated
@@ -70,7 +71,8 @@ def reliability(values: Values) -> Reliability:
     often = frame.groupby("person")["session"].nunique()
     twice = int((often > 1).sum())
     if twice < 3:
-        raise NotTold(f"{twice} people have values of two sessions or more: 3 are needed.")
+        who = counted(twice, "person has", "people have")
+        raise NotTold(f"{who} values of two sessions or more: 3 are needed.")
     sessions = sorted(frame["session"].unique())
     mixed = fit_mixed(frame, shifts(values))
     drops = float(frame.groupby(OCCASION)["value"].size().median())

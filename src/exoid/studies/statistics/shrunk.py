@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from exoid.files.counted import counted
 from exoid.files.extras import require
 from exoid.studies.statistics.mixed.stacks import Problem, problem_of
 from exoid.studies.statistics.tables.frames import Frame
@@ -42,7 +43,8 @@ def shrunk(values: Values, by: str = "", *, draws: int = 400, seed: int = 0) -> 
     """
     require("numpyro", "hierarchical models are sampled")
     if values.people < FEWEST:
-        raise NotTold(f"{values.people} people are too few: {FEWEST} are needed.")
+        who = counted(values.people, "person is", "people are")
+        raise NotTold(f"{who} too few: {FEWEST} are needed.")
     frame = values.frame.reset_index(drop=True)
     names = frame[by].astype(str) if by else frame["person"].map(lambda _: "")
     effects = np.stack([names == each for each in sorted(names.unique())], axis=1).astype(float)

@@ -7,6 +7,7 @@ import numpy as np
 from jaxtyping import Float
 from scipy.optimize import minimize
 
+from exoid.files.counted import counted
 from exoid.studies.statistics.mixed.likelihood import Fitted, Variances, likelihood
 from exoid.studies.statistics.mixed.stacks import Effects, Problem, problem_of
 from exoid.studies.statistics.tables.frames import Frame
@@ -36,7 +37,8 @@ def fit_mixed(frame: Frame, effects: Effects) -> Mixed:
     """
     people = frame["person"].nunique()
     if people < 3:
-        raise NotTold(f"{people} people are too few: at least 3 are needed.")
+        who = counted(people, "person is", "people are")
+        raise NotTold(f"{who} too few: at least 3 are needed.")
     if people <= effects.shape[1]:
         raise NotTold(f"{people} people are too few for {effects.shape[1]} effects.")
     problem = problem_of(frame, effects)
