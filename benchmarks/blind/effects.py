@@ -147,7 +147,10 @@ RECIPES = {
     "sensor_skew": Recipe(0.0015, 0.02, {"skew": EXACTLY}, signed=True),
     "stiffness_rest_angle": Recipe(0.03, 1.1, {"rest_angle": EXACTLY}, signed=True),
     "stretch_reflex": Recipe(
-        0.01, 3.0, {"gain": EXACTLY}, {"threshold": (0.5, 2.5), "delay": (0.03, 0.07)}
+        0.01,
+        3.0,
+        {"gain": EXACTLY},
+        {"threshold": (0.5, 2.5), "delay": (0.03, 0.07), "rise": (0.02, 0.05)},
     ),
     "stribeck_friction": Recipe(
         0.002, 0.6, {"level": EXACTLY, "excess": (0.6, 1.8)}, {"speed": (0.1, 0.6)}

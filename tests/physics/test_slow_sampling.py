@@ -13,7 +13,7 @@ from exoid.physics.terms.tissue.hysteresis import Hysteresis
 from exoid.physics.torque import NoTorque
 
 LEG = LegParameters(*map(jnp.asarray, (4.5, 0.42, 0.26, 0.33, 2.6)))
-QUICK = {Hysteresis: (0.3, 0.004), StretchReflex: (0.1, 0.5, 0.02)}
+QUICK = {Hysteresis: (0.3, 0.004), StretchReflex: (0.1, 0.5, 0.02, 0.01)}
 
 
 @pytest.mark.parametrize("term", QUICK)

@@ -894,7 +894,7 @@ def test_a_reflex_only_extends():
 
 def test_a_reflex_sees_a_speed_that_changes_steadily_as_it_was_one_delay_before():
     slope, delay, speed = -8.0, 0.06, -1.0
-    term = TERMS["stretch_reflex"](jnp.array(1.0), jnp.array(0.5), jnp.array(delay))
+    term = TERMS["stretch_reflex"](*map(jnp.array, (1.0, 0.5, delay, 0.03)))
     lags = np.arange(1, term.memory_size) / (term.memory_size - 1)  # the last memory is the muscle
     memory = jnp.array([*(speed - slope * delay * lags), 0.0])
     rate = term.memory_rate(instant(jnp.array(0.0), jnp.array(-0.5), jnp.array(speed)), memory)

@@ -246,7 +246,7 @@ def test_a_reflex_is_later_than_its_delay():
     one = replace(found(), findings=[replace(cause, name="stretch_reflex")], parameters=[delay])
     said = sentences(one)["Missing"]
     assert "delay 0.01340 ± 0.00060 s" in said
-    assert "before a lag of 0.03 s" in said
+    assert "after the delay and the rise time together" in said
 
 
 def printed(one) -> str:

@@ -52,7 +52,7 @@ def prepare(
     observation = without_edges(problem.observation, sensors)
     observation = with_masses(observation, best.mounting, owned)
     problem = replace(problem, observation=observation)
-    fitted = released(best, problem)
+    fitted = as_expected(released(best, problem), result)
     inertia = float(fitted.shared.log_inertia)
     every = (*tested(rig=rig), *terms)
     zero = movements[0].systematics.zero
@@ -149,6 +149,18 @@ def compared(problem: Problem) -> Problem:
 
     mounting = replace(problem.known.mounting, **{name: known(name) for name in problem.owned})
     return replace(problem, known=replace(problem.known, mounting=mounting))
+
+
+def as_expected(fitted: Coordinates, result: FitResult) -> Coordinates:
+    """The leg with the inertia of its body, in the place of one that the table tells only beside
+    ratios which its recording refuses: of those, torques were off by as much.
+    """
+    inertia = result.parameters["inertia"]
+    told = inertia.by_hand == "fix" or inertia.determined_by not in ("prior", "both")
+    if result.follows or told or inertia.expected is None:
+        return fitted
+    shared = replace(fitted.shared, log_inertia=np.log(inertia.expected))
+    return replace(fitted, shared=shared)
 
 
 def released(at: Coordinates, problem: Problem) -> Coordinates:

@@ -2,17 +2,16 @@
 
 import jax.numpy as jnp
 
-from exoid.physics.moment import CARRIED, Moment
+from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Scalar
 
 STAGES = 4  # of the delay: as many lags in a row
-RISE = 0.03  # s, in which the muscle's torque follows
-LAG = f"before a lag of {RISE:g} s"
+CARRIED = 2.2  # of a lag's rate times the step: less than of one, as they feed the leg in a row
 
 
 class StretchReflex(PhysicsTerm):
-    """tau = g a,  0.03 s a' = max(0, -v - v_th) - a, where v is phi' delayed by t_d.
+    """tau = g a,  t_r a' = max(0, -v - v_th) - a, where v is phi' delayed by t_d.
 
     The delay is a row of lags; its memory are their outputs, and a.
     """
@@ -24,21 +23,22 @@ class StretchReflex(PhysicsTerm):
         "a threshold: only while flexing, only when fast."
     )
     isolate = "drops from several angles, so that only some pass the threshold; EMG"
-    remark = f"the delay is that {LAG}, in which the torque follows: in all it is the sum"
+    remark = "the torque comes after the delay and the rise time together"
     living = True
     substeps = 4  # at 25 Hz a delay of 0.02 s is carried
     memory_size = STAGES + 1
 
     gain: Parameter = parameter("g", "N m s/rad", 0.0, 10.0, "reflex gain", (0.1,))
     threshold: Parameter = parameter("v_th", "rad/s", 0.0, 8.0, "threshold of speed", (0.5, 2.0))
-    delay: Parameter = parameter("t_d", "s", 0.004, 0.15, f"delay {LAG}", (0.045,))
+    delay: Parameter = parameter("t_d", "s", 0.004, 0.15, "delay", (0.045,))
+    rise: Parameter = parameter("t_r", "s", 0.004, 0.15, "rise time of the torque", (0.03,))
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         return self.gain * memory[STAGES]
 
     def memory_rate(self, now: Moment, memory: Memory) -> Memory:
         before = jnp.concatenate([now.angular_velocity[None], memory[: STAGES - 1]])
-        shortest = STAGES * now.place.step / CARRIED
-        passing = (before - memory[:STAGES]) * (STAGES / jnp.maximum(self.delay, shortest))
+        shortest = now.place.step / CARRIED
+        passing = (before - memory[:STAGES]) / jnp.maximum(self.delay / STAGES, shortest)
         stretched = jnp.maximum(0.0, -memory[STAGES - 1] - self.threshold)
-        return jnp.append(passing, (stretched - memory[STAGES]) / RISE)
+        return jnp.append(passing, (stretched - memory[STAGES]) / jnp.maximum(self.rise, shortest))

@@ -116,6 +116,8 @@ def for_inertia(inertia: float, fit: FitResult) -> str:
         return f"{said}, which is a guess: torques grow with it"
     if known.by_hand == "fix":
         return f"{said}, which you fixed: torques grow with it"
+    if known.determined_by in ("prior", "both") and not fit.follows:
+        return f"{said}, {ORIGINS['prior']}"
     return f"{said}, {ORIGINS[known.determined_by]}" if known.determined_by in ORIGINS else said
 
 

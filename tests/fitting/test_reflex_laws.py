@@ -1,0 +1,39 @@
+"""A reflex that follows another law than the term of the library, which is a row of lags."""
+
+import numpy as np
+import pytest
+
+from exoid.fitting.estimate import fit
+from exoid.physics.terms.muscle.stretch_reflex import StretchReflex
+from exoid.recordings.recording import Protocol, Recording, Segment, Subject
+from hands import Knee
+from reflexes import stretched
+
+KNEE = Knee(27.5, 6.0, 1.1)
+NOISE = np.radians(0.025)  # as the counts of an encoder make it
+
+
+def session(delay):
+    draw, drops = np.random.default_rng(3), []
+    for start in np.radians([-8.0, -22.0, -38.0]):
+        angle = stretched(KNEE, start, 4.0, 1.8, delay)[::10]
+        time = 0.01 * np.arange(angle.size)
+        seen = angle + draw.normal(0, NOISE, angle.size)
+        drops.append(Segment(time, raw_angle=seen))
+    body = Subject(kind="leg", body_mass=70.0, height=1.75)
+    return Recording(tuple(drops), body, Protocol(kind="passive"))
+
+
+@pytest.mark.parametrize("delay", [0.04, 0.06])
+def test_one_of_a_pure_delay_is_followed_to_the_noise(delay):
+    found = fit(session(delay), terms=(StretchReflex,), multistart=8)
+    assert found.angle_rmse < 1.05 * NOISE
+    gain = found.terms["stretch_reflex"]["gain_over_inertia"]
+    assert gain.value == pytest.approx(4.0, rel=0.05)
+    each = [
+        (found.ratios["gravity_over_inertia"], KNEE.gravity),
+        (found.ratios["stiffness_over_inertia"], KNEE.stiffness),
+        (found.ratios["damping_over_inertia"], KNEE.damping),
+    ]
+    for one, truth in each:
+        assert abs(one.value - truth) < 3 * one.standard_error
