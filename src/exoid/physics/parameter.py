@@ -18,7 +18,8 @@ class Declaration:
 
     A search begins at every one of `starts`; where the right place hangs on the motion, they are a
     function of its lowest and highest angle [rad]. At `plain` a term is a simpler one that has all
-    its parameters but this.
+    its parameters but this. What legs really do may follow another law: `law` is the share of a
+    number by which it is off then.
     """
 
     symbol: str
@@ -28,6 +29,7 @@ class Declaration:
     title: str
     starts: Starts = ()
     plain: float = 0.0
+    law: float = 0.0
 
     @property
     def inertia_power(self) -> int:
@@ -50,6 +52,7 @@ def parameter(
     starts: Starts = (),
     *,
     plain: float = 0.0,
+    law: float = 0.0,
 ):
     """Declare a parameter field: its symbol, unit, bounds and the words that tables print.
 
@@ -58,7 +61,7 @@ def parameter(
     ...     level: jax.Array = exoid.parameter("D", "N m s/rad", 0.0, 5.0, "drag", (0.1,))
     """
     return eqx.field(
-        metadata={"parameter": Declaration(symbol, unit, lower, upper, title, starts, plain)},
+        metadata={"parameter": Declaration(symbol, unit, lower, upper, title, starts, plain, law)},
     )
 
 

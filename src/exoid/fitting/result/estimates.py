@@ -276,8 +276,14 @@ def estimate_terms(
             if declared.inertia_power:
                 ratio = term_ratio(called, declared, basis, own[name], at_bound)
                 own[name] = goes_with_scale(own[name], ratio, inertia)
-                own[ratio_name(name, declared)] = ratio
+                own[ratio_name(name, declared)] = by_law(ratio, declared)
+            own[name] = by_law(own[name], declared)
     return found
+
+
+def by_law(each: Estimate, declared: Declaration) -> Estimate:
+    """With what is off where the leg follows another law than the term."""
+    return each if each.value is None else each.widened(declared.law * abs(each.value))
 
 
 def term_parameter(name: str, declared: Declaration, basis: Basis, at_bound: set[str]) -> Estimate:

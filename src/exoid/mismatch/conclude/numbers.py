@@ -107,7 +107,7 @@ def parameters_of(found: Found, best: Optimum, formula: Formula | None) -> list[
         owner = FORMULA if formula and term is candidate.terms[-1] else name_of(term)
         for (name, declared), value in zip(declarations(term), values, strict=True):
             known = bool(told[at]) and declared.lower < value < declared.upper
-            error = float(np.sqrt(variance[at])) if known else None
+            error = float(np.hypot(variance[at] ** 0.5, declared.law * value)) if known else None
             parameters.append(Parameter(f"{owner}.{name}", float(value), declared.unit, error))
             at += 1
     return parameters

