@@ -148,6 +148,8 @@ def descend(prepared, begin, evaluate, rounds, steady, rival=np.inf) -> list[Opt
     than `steady`, falls too slowly to come near a `rival`, or lies behind another start.
 
     `evaluate` takes candidates with the motions that they had, and gives products with new ones.
+    Where the first step failed, the second is of sizes alone: what is linear is then as large as
+    it is, and says where its other parameters should be.
     """
     found = evaluate(prepared, begin)
     at = [Optimum(one, *each) for (one, _), each in zip(begin, found, strict=True)]
@@ -160,7 +162,8 @@ def descend(prepared, begin, evaluate, rounds, steady, rival=np.inf) -> list[Opt
         ]
         if not moving:
             break
-        steps = [step(prepared, at[number]) for number in moving]
+        again = [done == 1 and at[number].harder > HARDER for number in moving]
+        steps = [step(prepared, at[n], sizes=each) for n, each in zip(moving, again, strict=True)]
         tried = [(to, at[n].motion) for (to, _), n in zip(steps, moving, strict=True)]
         found = evaluate(prepared, tried)
         for number, (to, gain), (products, motion) in zip(moving, steps, found, strict=True):
@@ -201,28 +204,43 @@ def judged(before: Optimum, after: Optimum, resting: bool, steady: float) -> Opt
     return replace(after, damping=damping, harder=HARDER, resting=resting and not careful)
 
 
-def step(prepared: PreparedRecording, at: Optimum) -> tuple[Hypothesis, float]:
-    """The next place to try, and the gain to expect there."""
+def step(
+    prepared: PreparedRecording, at: Optimum, *, sizes: bool = False
+) -> tuple[Hypothesis, float]:
+    """The next place to try, and the gain to expect there; with no parameter of a term but its
+    size moved, where only `sizes` are.
+    """
     unknowns = at.candidate.unknowns
     normal, gradient = at.products.total[:-1, :-1], at.products.total[:-1, -1]
     if not np.isfinite(at.products.total).all():
         return at.candidate, 0.0
-    lower, upper = prepared.bounds(at.candidate)
-    change = bounded(normal, gradient, at.damping, lower - unknowns, upper - unknowns)
+    room = np.array(prepared.bounds(at.candidate)) - unknowns
+    if sizes:
+        room[:, shapes(at.candidate)] = 0.0
+    change = bounded(normal, gradient, at.damping, *room)
     gain = -(2 * gradient @ change + change @ normal @ change)
     return at.candidate.at(unknowns + change), float(gain)
+
+
+def shapes(candidate: Hypothesis) -> np.ndarray:
+    """Which unknowns are parameters of a term, but for its first, the size."""
+    first = candidate.point.size + candidate.zero.size
+    each = [np.arange(value.size) > 0 for value in candidate.values]
+    return np.concatenate([np.zeros(first, dtype=bool), *each])
 
 
 def bounded(
     normal: np.ndarray, gradient: np.ndarray, damping: float, lower: np.ndarray, upper: np.ndarray
 ) -> np.ndarray:
-    """The damped Gauss-Newton step that stays within bounds: what runs into one stays on it."""
+    """The damped Gauss-Newton step that stays within bounds: what runs into one stays on it, and
+    what has no room where it is.
+    """
     size = np.sqrt(np.diag(normal))
     unit = np.where(size > 0, size, 1.0)
     scaled = normal / np.outer(unit, unit)
     scaled[np.diag_indices_from(scaled)] += damping + WEAK
     slope = gradient / unit
-    fixed = size == 0
+    fixed = (size == 0) | (lower == upper)
     change = np.zeros_like(slope)
     for _ in range(PASSES):
         free = ~fixed
