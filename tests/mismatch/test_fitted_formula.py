@@ -22,6 +22,7 @@ def test_a_formula_is_found_behind_the_errors_of_sensors():
     assert own.words.startswith("tau = 0.4 ")
     assert own.over(0.5).startswith("tau / J = 0.8 ")
     assert own.over(0.5).endswith(" rad/s^2")
+    assert own.times(2.0).over(0.5).startswith("tau / J = 1.6 ")
 
 
 def test_no_program_of_a_formula_is_kept_for_another_one():

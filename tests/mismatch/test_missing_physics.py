@@ -202,6 +202,15 @@ def test_what_no_term_describes_is_called_novel_and_gets_a_formula():
 
 
 @pytest.mark.proof
+def test_a_formula_over_an_unknown_inertia_is_the_one_of_the_table():
+    found = diagnose(replace(session(Detent(jnp.asarray(0.3))), subject=Subject(kind="rig")))
+    assert found.formula is not None
+    size = float(found.formula.over_inertia.split()[4])  # of "tau / J = 1.23 ..."
+    ratio = found.fit.of_terms["formula.c_0_over_inertia"]
+    assert size == pytest.approx(ratio.value, rel=5e-3)  # three figures of it are told
+
+
+@pytest.mark.proof
 def test_nothing_is_called_new_by_who_cannot_tell():
     cycles = [Release(angle, duration=1.2, amplitude=-4.0) for angle in (-6, -8)]
     found = diagnose(session(Detent(jnp.asarray(0.3)), movements=cycles))

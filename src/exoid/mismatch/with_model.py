@@ -168,8 +168,8 @@ def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
     sizes, larger = [*parameters, *twins], inertia / found.inertia
     suspected = [as_fitted(one, found.best.terms, sizes, larger) for one in each]
     more: dict[str, Any] = {"booked": booked, "suspected": suspected, "twins": twins}
-    if found.formula is not None:
-        own = fitted_formula(after.fitted_terms)
+    if found.formula is not None and after.leg is not None:
+        own = fitted_formula(after.fitted_terms).times(inertia / float(after.leg.inertia))
         more["formula"] = replace(found.formula, words=own.words, over_inertia=own.over(inertia))
     place = found.location.with_inertia(inertia)
     more |= {"location": place, "inertia": inertia}

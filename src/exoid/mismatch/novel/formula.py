@@ -39,6 +39,10 @@ class Formula:
         """The torque over J in words, of a leg of this inertia [kg m^2]."""
         return f"tau / J = {self.sum_for(inertia)} rad/s^2"
 
+    def times(self, factor: float) -> "Formula":
+        """So many times as large a torque."""
+        return replace(self, coefficients=factor * self.coefficients)
+
     def sum_for(self, inertia: float) -> str:
         """The features with their coefficients over an inertia."""
         parts = [
