@@ -100,10 +100,36 @@ def test_a_fit_that_sees_where_it_is_slack_says_how_far_off_the_ratios_may_be():
         assert abs(each.value - true) < 2 * np.hypot(each.standard_error, where.spread[name])
 
 
+@pytest.fixture(scope="module")
+def bent_drops():
+    return two_drops(np.radians(-35), (8e-4, 3e-3), gyro=True)
+
+
+def test_the_zero_of_an_encoder_is_open_for_where_the_spring_is_slack(bent_drops):
+    """It is 0: the fit makes up for the spring by the encoder's zero and the seat's tilt."""
+    (owned,) = bent_drops.mountings
+    zero = owned.zero
+    assert abs(zero.value) > 3 * zero.standard_error
+    assert abs(zero.value) < 2 * np.hypot(zero.standard_error, zero.if_slack)
+    found = leans(bent_drops)
+    assert zero.if_slack == pytest.approx(found.spread["recording.zero"])
+
+
+def test_what_is_held_to_what_is_declared_leans_as_little(bent_drops):
+    """The seat stays within what is believed of it: the zero cannot have followed a spring farther.
+
+    By white noise alone both would lean by several times as much.
+    """
+    (owned,) = bent_drops.mountings
+    assert owned.zero.if_slack < 4 * abs(owned.zero.value)
+
+
 def test_a_fit_that_leaves_little_open_says_nothing():
     found = two_drops(0.0, (8e-4, 3e-3), gyro=True)
     assert not [each for each in found.notes if "slack at" in each]
-    assert {each.if_slack for each in (found.of_leg | found.ratios).values()} == {None}
+    (owned,) = found.mountings
+    told = found.of_leg | found.ratios | owned.known
+    assert {each.if_slack for each in told.values()} == {None}
 
 
 def test_a_fit_whose_residual_shows_it_says_what_it_would_change():

@@ -141,6 +141,13 @@ def test_mounting_of_one_recording_has_no_column_of_its_name():
     assert line_of("encoder zero", text).split() == ["encoder", "zero", "0.57", "±", "0.11", "deg"]
 
 
+def test_what_a_spring_slack_elsewhere_makes_of_an_encoder_stands_beside_it():
+    found = together("recording")
+    zero = replace(found.mountings[0].zero, if_slack=np.radians(1.3))
+    text = printed(replace(found, mountings=[MountingFit("recording", zero=zero)]))
+    assert line_of("encoder zero", text).split()[-4:] == ["0.11", "deg", "±", "1.3"]
+
+
 def test_mountings_of_several_are_named_by_recording_or_by_segment_fitted_alone():
     text = printed(together("bare.csv", "loaded.csv"))
     assert re.search(r"^Mounting, of each recording\nrecording +value", text, re.MULTILINE)

@@ -71,7 +71,7 @@ def search(
     if wide is not None:  # the suspicion widens errors, and moves no value
         clocks = doubted(problem, wide, best)
         problem, local = wide, not_by_anatomy(around(wide, best, disturbance), clocks)
-    ended = SearchResult(free, member, failures, best, disturbance, begin, local, on_level)
+    ended = SearchResult(free, member, failures, best, disturbance, begin, local, on_level, less)
     return problem, ended
 
 

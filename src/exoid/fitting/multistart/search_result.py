@@ -1,6 +1,6 @@
 """Where all starts of a fit ended."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -30,6 +30,8 @@ class SearchResult:
     starts: Coordinates
     local: Neighbourhood  # of `best`
     level: np.ndarray | None = None  # every quantity on level seats, where `best` has tilted ones
+    # By how much more than declared `best` is held to what is, by the leaves of a Mounting.
+    held: dict[str, np.ndarray] = field(default_factory=dict)
 
     @cached_property
     def point(self) -> Coordinates:

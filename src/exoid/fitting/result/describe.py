@@ -39,6 +39,7 @@ from exoid.fitting.result.fit_result import (
     Basis,
     Estimate,
     FitResult,
+    MountingFit,
     MultistartReport,
     SegmentFit,
 )
@@ -134,7 +135,8 @@ def describe(
         basis=basis,
     )
     told = without_bare(without_lost(result), problem)
-    errors = [told.ratios[each].standard_error or 0.0 for each in LEANING]
+    errors = {name: told.ratios[name].standard_error or 0.0 for name in LEANING}
+    errors |= errors_of(told.mountings)
     slack = left_open(problem, ended, basis.information.open, errors) if told.follows else None
     doubt = doubted_scale(told, problem, misplaced(problem, ended), slack)
     if doubt is not None:
@@ -145,6 +147,16 @@ def describe(
     by_distance = elsewhere["inertia"] * (ratios["gravity_over_inertia"].value or 0.0)
     moment = moment.widened(by_distance, cause=DISTANCE)
     return with_slack(replace(told, gravity_moment=moment, notes=said), slack)
+
+
+def errors_of(mountings: list[MountingFit]) -> dict[str, float]:
+    """The standard errors of what recordings own, by recording and name, where there are."""
+    return {
+        f"{each.recording}.{name}": one.standard_error
+        for each in mountings
+        for name, one in each.known.items()
+        if one.standard_error
+    }
 
 
 def growth(before: Estimate, after: Estimate, inertia: Estimate) -> float:

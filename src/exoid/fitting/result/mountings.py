@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.fitting.model.coordinates import layout
+from exoid.fitting.model.coordinates import Coordinates, layout
 from exoid.fitting.model.systematics import OF_THE_GYRO, OF_THE_MASS, OWNED, SOMEWHERE
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.fit_result import Basis, Estimate, MountingFit
@@ -64,6 +64,18 @@ def estimate_mountings(basis: Basis) -> list[MountingFit]:
         for entry, own in enumerate(problem.recordings)
     ]
     return [each for each in found if each.known]
+
+
+def mountings_at(problem: Problem, point: Coordinates) -> dict[str, float]:
+    """What every recording owns at a point, as it is told, by recording and name."""
+    return {
+        f"{own[0].source}.{FIELDS[field]}": float(
+            outside(problem, field, entry, float(getattr(point.mounting, field)[entry]))
+        )
+        for field in problem.owned
+        for entry, own in enumerate(problem.recordings)
+        if problem.estimates(field, entry)
+    }
 
 
 def beyond_belief(problem: Problem, ended: SearchResult) -> str | None:

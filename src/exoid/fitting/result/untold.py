@@ -9,7 +9,7 @@ from dataclasses import replace
 from exoid.fitting.misfit.uncertainty import HELD
 from exoid.fitting.result.agreement import lost, unbelieved
 from exoid.fitting.result.estimates import SCALE_FREE, without_value
-from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
+from exoid.fitting.result.fit_result import Estimate, FitResult, MountingFit, SegmentFit
 from exoid.fitting.result.limiting_systematics import chief
 from exoid.fitting.result.remarks.anatomy_remarks import bent_explains, unlike_anatomy
 from exoid.fitting.result.remarks.leaning import Leaning
@@ -142,9 +142,13 @@ def with_slack(result: FitResult, found: Leaning | None) -> FitResult:
     def told(known: dict[str, Estimate], of: str = "") -> dict[str, Estimate]:
         return {name: if_slack(each, spread.get(of + name, 0.0)) for name, each in known.items()}
 
+    def of_recording(each: MountingFit) -> MountingFit:
+        return replace(each, **told(each.known, f"{each.recording}."))
+
     moment, torque = result.gravity_moment, result.torque_amplitude
     return replace(
         result,
+        mountings=[of_recording(each) for each in result.mountings],
         parameters=told(result.parameters),
         ratios=told(result.ratios),
         terms={term: told(own, f"{term}.") for term, own in result.terms.items()},

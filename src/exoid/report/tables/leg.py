@@ -111,6 +111,7 @@ def mountings(result: FitResult) -> Table:
         **({owner: named} if several else {}),
         "quantity": Column([name for _, name, _ in rows], head=""),
         "value": quantities_of([each for *_, each in rows]),
+        "if slack": slack_of([each for *_, each in rows]),
     }
     caption = "Sensors, seat and added mass, against what is declared of them"
     return Table(caption, columns, f"Mounting, of each {owner}" if several else "Mounting")

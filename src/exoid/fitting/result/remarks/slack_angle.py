@@ -8,11 +8,9 @@ S'S - S'A H^-1 A'S of the torque, and show S'A H^-1 g - S'r over that: at a mini
 0, but where the torque is hardly told apart, a little of it counts.
 """
 
-from collections.abc import Sequence
-
 import numpy as np
 
-from exoid.fitting.misfit.neighbourhood import pull_of_belief
+from exoid.fitting.misfit.neighbourhood import prior_information, pull_of_belief
 from exoid.fitting.misfit.uncertainty import decomposed, inverse_times
 from exoid.fitting.model.coordinates import (
     Coordinates,
@@ -21,7 +19,9 @@ from exoid.fitting.model.coordinates import (
     quantities,
     unflattened,
 )
+from exoid.fitting.multistart.hold_to_declared import held
 from exoid.fitting.multistart.search_result import SearchResult
+from exoid.fitting.result.mountings import mountings_at
 from exoid.fitting.result.remarks.leaning import BENT, LEANING, Leaning
 from exoid.fitting.solve.ask import grams_at
 from exoid.fitting.solve.problem import Problem
@@ -35,23 +35,23 @@ CONSTANT = {"stiffness_rest_angle", "torque_bias"}  # terms of such a torque
 
 
 def left_open(
-    problem: Problem, ended: SearchResult, free: np.ndarray, errors: Sequence[float]
+    problem: Problem, ended: SearchResult, free: np.ndarray, errors: dict[str, float]
 ) -> Leaning | None:
-    """What a leg's numbers lean on, where another rest angle changes the `LEANING` ratios by more
-    than these errors of them, and the recording does not rule that out; else None.
+    """What a leg's numbers lean on, where another rest angle changes one of these by more than its
+    error, and the recording does not rule that out; else None.
     """
     found = leaning(problem, ended, free)
     if found is None:
         return None
     # A torque that softens the fit's spring leaves one that is slack at BENT little of its own.
-    by_spread = found.shown or found.pushed
-    off = [found.spread[name] for name in LEANING] if by_spread else found.of_ratios
-    least = np.array(errors)
+    moved = found.spread if found.shown or found.pushed else found.off
+    least = dict(errors)
     if found.shown:
-        shared = ended.point.shared
-        of_leg = [float(getattr(shared, name)) for name in ("gravity", "stiffness")]
-        least = np.maximum(FELT * least, WORTH * np.array(of_leg))
-    return None if (np.abs(off) < least).all() else found
+        least = {name: FELT * error for name, error in errors.items()}
+        of_leg = ended.point.shared.gravity, ended.point.shared.stiffness
+        for name, value in zip(LEANING, of_leg, strict=True):
+            least[name] = max(least[name], WORTH * float(value))
+    return found if any(abs(moved[name]) >= each for name, each in least.items()) else None
 
 
 def slack_angle_remarks(found: Leaning | None) -> list[str]:
@@ -62,10 +62,10 @@ def slack_angle_remarks(found: Leaning | None) -> list[str]:
         return [pushed(found)]
     where = seen(found) if found.shown else bent(found)
     return [
-        "m l g / J and c / J, and what goes with them, hold for a spring that is slack at full "
-        f"extension (Eq. 9), and 'if slack' beside ± tells how well for others: {where}. 'exoid "
-        "diagnose' asks where it is slack; the hanging angle without and with a known mass tells "
-        "best."
+        "m l g / J and c / J, what goes with them, and what the encoder shows with the knee "
+        "extended hold for a spring that is slack at full extension (Eq. 9), and 'if slack' beside "
+        f"± tells how well for others: {where}. 'exoid diagnose' asks where it is slack; the "
+        "hanging angle without and with a known mass tells best."
     ]
 
 
@@ -151,12 +151,15 @@ def moved(problem: Problem, ended: SearchResult, steps: np.ndarray) -> dict[str,
 
 
 def numbers_at(problem: Problem, point: Coordinates) -> dict[str, float]:
-    """Of a point, by the names of a result; of voluntary segments the means."""
+    """Of a point, by the names of a result; of voluntary segments the means, of what a recording
+    owns with its name before it.
+    """
     each = dict(zip(problem.quantities, quantities(point, np).tolist(), strict=True))
     for name in ("torque_amplitude", "torque_over_inertia"):
         own = [each[one] for one in problem.quantities_of(name)]
         each |= {name: float(np.mean(own))} if own else {}
-    return each | {"gravity_moment": each["gravity_over_inertia"] * each["inertia"]}
+    moment = {"gravity_moment": each["gravity_over_inertia"] * each["inertia"]}
+    return each | moment | mountings_at(problem, point)
 
 
 def answer(
@@ -166,8 +169,10 @@ def answer(
     the coordinates; and, over that, the torque that they show.
     """
     scale = ended.disturbance.scale * ended.disturbance.weighing(problem.kinds)
-    known, slope = ended.local.prior.copy(), np.zeros(len(ended.local.prior))
-    uphill = pull_of_belief(ended.point, problem.belief.prior)
+    prior, point = as_held(problem, ended).belief.prior, ended.point
+    known = ended.local.prior - prior_information(point, problem.belief.prior)
+    known += prior_information(point, prior)
+    slope, uphill = np.zeros(len(known)), pull_of_belief(point, prior)
     own = seen = 0.0
     for each, unit in zip(grams_at(problem, ended.best, 0, ["torque"]), scale, strict=True):
         gram = each["torque"]
@@ -179,3 +184,8 @@ def answer(
         seen -= pushed @ gram.inside[:, -1] / unit
     pull = free @ inverse_times(decomposed(free.T @ known @ free), free.T @ slope)
     return pull, float(own - slope @ pull), float(seen + pull @ uphill)
+
+
+def as_held(problem: Problem, ended: SearchResult) -> Problem:
+    """The problem that `best` solves: what the model misses is not made up for by zero and seat."""
+    return held(problem, ended.held, ended.disturbance.scale) if ended.held else problem
