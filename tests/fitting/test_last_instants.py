@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
-from exoid.fitting.hands.last_instants import swung
+from exoid.fitting.hands.last_instants import ended, swung
 from exoid.fitting.movements import movements_of
 from exoid.recordings.recording import Protocol, Recording, Segment, Subject
 from hands import ADULT, Device, Hand, Knee, dropped
@@ -102,6 +102,19 @@ def softly_caught(seed: int) -> Recording:
     segments = [caught(number, *each, seed) for number, each in enumerate(drops)]
     body = Subject(kind="leg", body_mass=74.0, height=1.78)
     return Recording(tuple(segments), body, Protocol(kind="passive"))
+
+
+def test_a_movement_says_up_to_when_it_is_fitted_where_a_hand_ended_it():
+    """A hand of 0.35 s is felt within 0.2 s; the paper's clipping keeps what it does."""
+    by_hand, free = caught(0, -0.3, 2.0, 1), caught(0, -0.3, np.inf, 1)
+    body = Subject(kind="leg", body_mass=74.0, height=1.78)
+    both = [("leg", Recording((by_hand, free), body, Protocol(kind="passive")))]
+    ended_by_hand, whole = movements_of(both)
+    assert ended_by_hand.caught == pytest.approx(0.6 + 2.0, abs=0.2)
+    assert whole.caught is None
+    assert {each.caught for each in movements_of(both, clip="paper")} == {None}
+    later = ended(whole, int(np.searchsorted(whole.segment.time, 1.5)))
+    assert later.caught == pytest.approx(whole.segment.begins + 1.5, abs=0.02)
 
 
 @pytest.mark.slow

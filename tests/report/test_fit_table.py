@@ -93,6 +93,16 @@ def test_no_line_is_wider_than_the_terminal_and_nothing_is_cut(width):
     assert text.count("…") == (2 if width < 140 else 0)  # names only
 
 
+def test_a_drop_that_a_hand_ended_says_up_to_when_it_is_fitted():
+    result = fitted()
+    first, *others = result.segments
+    text = printed(replace(result, segments=[replace(first, caught=2.07), *others]))
+    assert line_of("leg 0", text).split()[:5] == ["leg", "0", "passive", "0.00", "2.07"]
+    said = "segment leg 0 from where a hand stopped or lifted it"
+    assert line_of("left out", text).split(maxsplit=2)[2].strip() == said
+    assert not re.search("left out|^ +from +to ", printed(result), re.MULTILINE)
+
+
 def test_piped_output_is_plain():
     text = printed(fitted())
     assert "\x1b" not in text

@@ -45,6 +45,15 @@ def test_a_card_that_says_yes_says_what_was_left_out(seconds):
     assert ("a swing" in said) == (seconds > 0)
 
 
+def test_a_card_says_that_a_hand_ended_a_drop_which_leaves_the_others_good():
+    case = made_up()
+    first, *others = case.fit.segments
+    cut = replace(first, caught=2.07)
+    said = str(agreement(replace(case, fit=replace(case.fit, segments=[cut, *others]))))
+    assert f"Left out: segment {first.name} from where a hand stopped or lifted it." in said
+    assert "but for what was left out" not in said
+
+
 def test_a_rate_is_in_degrees_as_in_the_words_above_the_table():
     case = made_up()
     bias = Estimate("b", "bias", "rad/s", radians(0.6), radians(0.01))

@@ -88,6 +88,16 @@ class Movement:
         return jumps(clock, self.angle, self.angular_velocity, self.angle_noise)
 
     @property
+    def caught(self) -> float | None:
+        """When a hand ended what is fitted of it, by the clock of the recording [s]; else None."""
+        count = self.kept
+        if count is None and self.extent is not None and self.extent.ended == "caught":
+            count = self.extent.stop - self.extent.start
+        time = self.segment.begins + self.segment.time
+        whole = self.kept is None and count != time.size  # as the paper clips it, with the hand
+        return None if count is None or whole else float(time[count - 1])
+
+    @property
     def source(self) -> str:
         """The recording, by its name where there are several."""
         return self.name.rpartition(" ")[0] or "recording"

@@ -306,6 +306,7 @@ def segment_fit(basis: Basis, number: int, torque: Estimate | None) -> SegmentFi
         begins=each.segment.begins,
         conditions=find_conditions(basis.problem, basis.ended, number),
         left_out=each.slow,
+        caught=each.caught,
     )
 
 

@@ -99,6 +99,7 @@ class SegmentFit:
     begins: Annotated[float, "s"] = 0.0  # its first fitted sample on the clock of the recording
     conditions: Conditions | None = None  # to simulate it again; older files have none
     left_out: Annotated[float, "s"] = 0.0  # behind its release: what kept the leg back there
+    caught: Annotated[float | None, "s"] = None  # on that clock: a hand, and nothing behind counts
 
     def __repr__(self) -> str:
         return f"<SegmentFit {self.name}: {self.kind}, {self.time.size} samples>"

@@ -23,6 +23,7 @@ UNITS = {
     "added_mass": "added_mass_kg",
     "begins": "begins_s",
     "left_out": "left_out_s",
+    "caught": "caught_s",
     "angle_rmse": "angle_rmse_rad",
     "velocity_rmse": "velocity_rmse_rad_s",
     "angle_noise": "angle_noise_rad",

@@ -22,7 +22,7 @@ from exoid.report.words.diagnosis import cause, certainty
 from exoid.report.words.diagnosis.asserted import only_sensors, only_usual
 from exoid.report.words.diagnosis.sentences import alike
 from exoid.report.words.diagnosis.verdict import verdict
-from exoid.report.words.left_out import left_out
+from exoid.report.words.left_out import first_flexions, left_out
 from exoid.report.words.text import capital, in_degrees, in_words
 
 BELIEF = {
@@ -110,7 +110,7 @@ def agreement(case: Case) -> Group:
     partly = of_the_rest(fit.segments, fit.disturbance)
     if partly:
         return card(question, "open", "A part of it only.", sentence(partly[0]))
-    if fit.disturbance.cause is None and left_out(fit.segments):
+    if fit.disturbance.cause is None and first_flexions(fit.segments):
         return card(question, "open", "Yes, but for what was left out.", because)
     if fit.disturbance.cause is None:
         return card(question, "good", "Yes, within the noise.", because)

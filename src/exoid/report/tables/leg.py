@@ -125,10 +125,12 @@ def segments(each: list[SegmentFit]) -> Table:
     added = [f"{one.added_mass:.3g}" if one.added_mass else "" for one in each]
     angle = [in_degrees(one.angle_rmse) for one in each]
     noise = [in_degrees(one.angle_noise) for one in each]
+    until = ["" if one.caught is None else f"{one.caught:.2f}" for one in each]
     columns = {
         "segment": Column([one.name for one in each], shortest=SHORTEST_NAME),
         "kind": [one.kind for one in each],
         "from [s]": Column([f"{one.begins:.2f}" for one in each], head="from\n[s]"),
+        "to [s]": Column(until, head="to\n[s]"),
         "period T [s]": Column(period, head="T [s]"),
         "torque tau [N m]": Column([torque(one) for one in each], head="tau [N m]"),
         "added mass [kg]": Column(added, head="added\n[kg]"),

@@ -12,7 +12,18 @@ TO_FASTEST = "the first flexion up to its greatest speed, a quarter of a swing"
 
 
 def left_out(segments: Sequence[SegmentFit]) -> str:
-    """The first flexions that were not fitted; empty where all were."""
+    """What was not fitted: first flexions, and what a hand did; empty where all was."""
+    return "; ".join(filter(None, [first_flexions(segments), behind_hands(segments)]))
+
+
+def behind_hands(segments: Sequence[SegmentFit]) -> str:
+    """The drops that a hand ended."""
+    names = [each.name for each in segments if each.caught is not None]
+    return f"segment {', '.join(names)} from where a hand stopped or lifted it" if names else ""
+
+
+def first_flexions(segments: Sequence[SegmentFit]) -> str:
+    """Those that were not fitted; empty where all were."""
     short = [each for each in segments if each.left_out > 0]
     if not short:
         return ""
