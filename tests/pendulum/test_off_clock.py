@@ -55,3 +55,47 @@ def test_nothing_is_said_of_a_usual_gyro_nor_of_a_clock_that_somebody_vouches_fo
     assert found.note is None
     speed = found.measures["peak_flexion_velocity"]
     assert speed.standard_error < 0.01 * abs(speed.value)
+
+
+RELAXED = (26.8, 2.7, 0.8)  # m l g / J and c / J [1/s^2], d / J [1/s]
+
+
+def by_angle(rate: float, leg=RELAXED, **declared):
+    """The drop of a camera whose times are a factor `rate` too long, and its greatest speed."""
+    made = drop(leg, STARTS, gyro=False)
+    seen = replace(made, time=rate * made.time)
+    sensors = Sensors(angle_noise=8e-4, **declared)
+    (found,) = measure_drops(recording(seen, sensors=sensors)).drops
+    return found, np.abs(fall(leg, STARTS, step=1e-3)[2]).max()
+
+
+def test_times_that_make_a_drop_slower_than_any_leg_of_its_body_are_in_the_errors():
+    """125 samples a second, told as 100: by an angle alone nothing else shows it."""
+    found, fastest = by_angle(1.25)
+    assert "slower than any leg of this body swings" in found.note
+    rate = float(found.note.partition("a sampling rate ")[2].partition(" ")[0])
+    assert 1.1 < rate < 1.25  # its spring makes up for a part of it
+    speed = found.measures["peak_flexion_velocity"]
+    assert abs(speed.value - fastest) > 0.15 * fastest
+    assert abs(speed.value - fastest) < 2.5 * speed.standard_error
+
+
+def test_times_that_make_a_drop_faster_than_any_whole_leg_are_told():
+    found, _ = by_angle(0.6)
+    assert "of a stump or a light prosthesis all is well" in found.note
+
+
+@pytest.mark.parametrize(
+    ("rate", "leg", "declared"),
+    [
+        (1.0, RELAXED, {}),
+        (1.0, (24.5, 1.2, 0.8), {}),  # of a body of which one in a hundred has as slow a leg
+        (1.0, (26.8, 20.0, 5.0), {}),  # stiff
+        (1.25, RELAXED, {"clock_uncertainty": 1e-4}),
+    ],
+)
+def test_nothing_is_said_of_times_that_a_leg_of_this_body_may_have(rate, leg, declared):
+    found, fastest = by_angle(rate, leg, **declared)
+    assert found.note is None
+    speed = found.measures["peak_flexion_velocity"]
+    assert abs(rate * speed.value - fastest) < 0.02 * fastest

@@ -6,6 +6,7 @@ from exoid.pendulum.catalogue import MEASURES
 from exoid.pendulum.drift import read_off
 from exoid.pendulum.drop import Average, Drop, PendulumTest
 from exoid.pendulum.halt import of_halt
+from exoid.pendulum.off_body import with_doubted_times
 from exoid.pendulum.off_clock import with_doubted_clock
 from exoid.pendulum.smoothing import as_smoothed
 from exoid.recordings.conventions.jumps import AGAIN, jumps_of, told_jumps
@@ -90,7 +91,8 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         halt = of_halt(found) if handled else None
         read, smoothed = as_smoothed(drifting.measures, cleaned.angle, recording)
         read, clock = with_doubted_clock(read, segment, recording.sensors)
-        note = "; ".join(filter(None, (drifting.note, smoothed, clock))) or None
+        read, times = with_doubted_times(read, cleaned.recording, number)
+        note = "; ".join(filter(None, (drifting.note, smoothed, clock, times))) or None
         if halt is None:
             check_motion(read)
     except NotAllowed as why:
