@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Samples = NDArray[np.float64]  # one value per sample; jaxtyping here would cost 0.1 s at start
+ROUNDING = 1e-7  # rad or rad/s, of numbers in a file: no step of a sensor
 
 
 def quantile(values: Samples, share: float = 0.5) -> float:

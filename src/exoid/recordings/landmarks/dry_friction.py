@@ -83,8 +83,7 @@ def kink_at(track: Track, turn: Peak, side: float, begin: float) -> Kink | None:
 
 def about(track: Track, turn: Peak) -> Track:
     """The second to either side."""
-    part = slice(*np.searchsorted(track.time, [turn.time - 1.0, turn.time + 1.0]))
-    return replace(track, sample=track.sample[part], time=track.time[part], angle=track.angle[part])
+    return track.part(slice(*np.searchsorted(track.time, [turn.time - 1.0, turn.time + 1.0])))
 
 
 def beside(track: Track, turn: Peak, kink: Kink, begin: float) -> Peak:

@@ -1,7 +1,6 @@
 """From a track to the landmarks of a drop."""
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 
@@ -92,9 +91,7 @@ def freely(track: Track, signal: Signal, handled: bool, law: Law | None) -> tupl
         raise NotAllowed(f"no fall: {fault}") from fault
     first = 0 if handled else first_top(track)
     kept = slice(first, extent.hand and max(extent.hand, FEWEST))
-    return replace(
-        track, sample=track.sample[kept], time=track.time[kept], angle=track.angle[kept]
-    ), extent
+    return track.part(kept), extent
 
 
 def first_top(track: Track) -> int:

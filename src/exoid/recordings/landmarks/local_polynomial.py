@@ -1,6 +1,6 @@
 """The angle of a drop between its samples: the polynomial through the samples around a time."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import perm
 
@@ -58,14 +58,33 @@ def local(
     track: Track, centre: Samples, begin: float = -np.inf, half: float = HALF
 ) -> LocalPolynomials:
     """Through the samples `half` s around each `centre` [s] that are not before `begin`."""
-    first = np.searchsorted(track.time, np.maximum(centre - half, begin))
-    last = np.searchsorted(track.time, centre + half, side="right")
-    first = np.minimum(first, np.maximum(last - FEWEST, 0))
-    last = np.maximum(last, np.minimum(first + FEWEST, track.time.size))
+    first, last = windows(track, centre, begin, half)
     size = max(AT_ONCE // int((last - first).max()), 1)
     parts = [slice(begin, begin + size) for begin in range(0, centre.size, size)]
     each = [through(track, centre[at], first[at], last[at], half) for at in parts]
     return each[0] if len(each) == 1 else joined(each)
+
+
+def windows(
+    track: Track, centre: Samples, begin: float, half: float
+) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
+    """The first sample of each, and the one after its last."""
+    first = np.searchsorted(track.time, np.maximum(centre - half, begin))
+    last = np.searchsorted(track.time, centre + half, side="right")
+    first = np.minimum(first, np.maximum(last - FEWEST, 0))
+    return first, np.maximum(last, np.minimum(first + FEWEST, track.time.size))
+
+
+def standing(track: Track, centre: Samples, begin: float, half: float) -> LocalPolynomials:
+    """As `local`, with errors that hold what samples share that show one code, as about a turn."""
+    found, unit = local(track, centre, begin, half), (HALF / half) ** np.arange(DEGREE + 1)
+    covariance = found.covariance[found.kind]
+    each = zip(covariance, centre, *windows(track, centre, begin, half), strict=True)
+    for own, at, first, last in each:
+        x = (track.time[first:last] - at) / half
+        weights = np.linalg.pinv(np.vander(x, DEGREE + 1, increasing=True)) * unit[:, None]
+        own += track.rounded(weights, slice(first, last))
+    return replace(found, covariance=covariance, kind=np.arange(centre.size))
 
 
 def joined(each: list[LocalPolynomials]) -> LocalPolynomials:

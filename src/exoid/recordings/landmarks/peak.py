@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.landmarks.local_polynomial import DEGREE, LocalPolynomials, local
+from exoid.recordings.landmarks.local_polynomial import DEGREE, LocalPolynomials, standing
 from exoid.recordings.landmarks.track import HALF, Peak, Track, nearest
 from exoid.recordings.samples import Samples
 
@@ -29,7 +29,7 @@ def stationary(track: Track, near: list[int], begin: float, half: float) -> list
     if not near:
         return []
     centre = track.time[near]
-    found = local(track, centre, begin, half)
+    found = standing(track, centre, begin, half)
     x = extremes(found.coefficients)
     value, error = found.derivative(0, x)
     slope_error, bend = found.derivative(1, x)[1], np.abs(found.derivative(2, x)[0])

@@ -145,11 +145,11 @@ def misfits(track: Track, tried: Samples) -> Samples:
 
 def refined(track: Track, begin: float) -> tuple[Release, float]:
     """The fall from `begin`, and by how much later [s] a release would fit it best."""
-    used, (inside,) = followed(track, np.array([begin]))
-    x = (track.time[used][inside] - begin) / FALL
+    used = followed(track, np.array([begin]))[0]
+    x = (track.time[used] - begin) / FALL
     prior = believed(track)
     table = np.concatenate([model_row(x), prior])
-    angle = np.concatenate([track.angle[used][inside], np.zeros(len(prior))])
+    angle = np.concatenate([track.angle[used], np.zeros(len(prior))])
     found = np.asarray(np.linalg.lstsq(table, angle, rcond=None)[0], dtype=float)
     left = angle - table @ found
     moved = np.concatenate([-(model_row(x, 1) @ found) / FALL, np.zeros(len(prior))])
@@ -157,6 +157,7 @@ def refined(track: Track, begin: float) -> tuple[Release, float]:
     free = max(x.size - table.shape[1], 1)
     rough = max(1.0, float(np.linalg.norm(left)) / track.noise / free**0.5)
     covariance = (rough * track.noise) ** 2 * inverse @ inverse.T
+    covariance += track.rounded(inverse[:, : x.size], used)
     errors = np.sqrt(np.diag(covariance))
     tremble = unfollowed(left[: x.size][x < 0], track.noise)
     speed = max(found[1] ** 2 - errors[1] ** 2, 0.0) ** 0.5 / FALL  # beyond what noise does

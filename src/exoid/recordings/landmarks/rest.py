@@ -48,7 +48,9 @@ def find_rest(track: Track, turns: list[Peak]) -> Rest:
         )
     angle, error = resting_angle(track, smooth, first, turns, track.smoothed_noise(width))
     check_free([float(smooth[0]), *(each.value for each in turns)], angle, turns)
-    error = float(np.hypot(error, stopped_short(angle, turns)))
+    lasted = track.time.size - first
+    alike = track.rounded(np.full((1, lasted), 1 / lasted), slice(first, None))
+    error = float(np.linalg.norm([error, stopped_short(angle, turns), *np.sqrt(alike[0])]))
     middle = float(track.time[first:].mean())
     resting = Peak(nearest(track, middle), middle, lasting / 2, angle, error)
     return Rest(resting, entered(track, resting, smooth, slope, track.smoothed_noise(width)))
@@ -164,5 +166,6 @@ def last_outside(
         return -1, float(time[0])
     at = min(int(outside[-1]), time.size - 2)
     edge = rest + np.copysign(band, smooth[at] - rest)
-    share = float(np.clip((edge - smooth[at]) / (smooth[at + 1] - smooth[at]), 0.0, 1.0))
+    step = smooth[at + 1] - smooth[at]  # 0 where the record ends on one code outside
+    share = float(np.clip((edge - smooth[at]) / step, 0.0, 1.0)) if step else 0.0
     return at, float(time[at] + share * (time[at + 1] - time[at]))

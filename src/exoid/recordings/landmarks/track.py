@@ -1,6 +1,6 @@
 """The angle of a drop where it was measured, and the places on it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -10,6 +10,7 @@ from exoid.recordings.landmarks.measure import Mark, NotAllowed
 from exoid.recordings.motion.thresholds import BLOCK
 from exoid.recordings.recording import Segment
 from exoid.recordings.samples import Samples, block_means, block_size, quantile, usual_step
+from exoid.recordings.signal.rounding import least_step, shared
 
 HALF = 0.1  # s to either side that a polynomial follows, a tenth of a leg's swing
 DEGREE = 4  # the middle of a swing is then followed to 1 in 2000, its acceleration included
@@ -44,6 +45,20 @@ class Track:
     time: Samples  # s, on the segment's clock
     angle: Samples  # rad
     noise: float  # rad, white, of one sample
+    shown: Samples  # rad, before anything was taken off it: samples of one code are alike
+    code: float  # rad, the least step between two that were shown
+
+    def part(self, rows: slice) -> "Track":
+        """Some of its samples."""
+        each = {name: getattr(self, name)[rows] for name in ("sample", "time", "angle", "shown")}
+        return replace(self, **each)
+
+    def rounded(self, weights: Samples, rows: slice) -> NDArray[np.float64]:
+        """The covariance of sums over some samples with these weights (sum, sample), by the
+        rounding that samples have in common, beside their white noise.
+        """
+        each = self.code * shared(weights, self.shown[rows])
+        return each @ each.T
 
     def smoothed_noise(self, width: float) -> float:
         """What of it is left [rad] in straight lines over `width` s."""
@@ -101,7 +116,8 @@ def track_of(segment: Segment, noise: float) -> Track:
     count = block_size(step, BLOCK)
     middle = sample[count // 2 :: count][: sample.size // count]
     angle = block_means(segment.best_angle[sample], count)
-    return Track(middle, block_means(time, count), angle, noise / np.sqrt(count))
+    code = least_step(segment.best_angle[sample])
+    return Track(middle, block_means(time, count), angle, noise / np.sqrt(count), angle, code)
 
 
 def interrupted(begin: float, end: float) -> NotAllowed:

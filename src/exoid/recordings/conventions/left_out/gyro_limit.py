@@ -11,11 +11,10 @@ import numpy as np
 
 from exoid.files.text_file import Notes
 from exoid.recordings.recording import Recording, Segment
-from exoid.recordings.samples import Samples
+from exoid.recordings.samples import ROUNDING, Samples
 from exoid.recordings.signal.condition import runs
 from exoid.recordings.signal.local_line import interpolated
 from exoid.recordings.signal.noise import noise_of
-from exoid.recordings.signal.scatter import ROUNDING
 
 FEWEST = 3  # samples in a row; fewer tell no curve
 PLACES = 2  # at which a gyro stands at one limit; a value that is held once may be the greatest,

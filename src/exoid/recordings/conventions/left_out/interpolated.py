@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 from exoid.files.text_file import Notes
 from exoid.recordings.conventions.left_out.held_values import FEWEST, NAMES, REGULAR, said_once
 from exoid.recordings.recording import Recording
-from exoid.recordings.samples import Samples
-from exoid.recordings.signal.scatter import ROUNDING
+from exoid.recordings.samples import ROUNDING, Samples
 
 ON_LINE = 1.01  # written steps: three rounded values, half a step each, one at double weight
 BENT = 5.0  # written steps, that what was measured is off its line at the least
