@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from exoid.recordings.landmarks.peak import peaks
+from exoid.recordings.landmarks.peak import bends_of, peaks
 from exoid.recordings.landmarks.track import DEGREE, Peak, Track
 
 AROUND = 0.2  # s to either side of a turn in which its kink is looked for
@@ -37,12 +37,21 @@ def with_friction(track: Track, found: list[Peak], begin: float) -> list[Peak]:
     """
     each = [kink_at(track, turn, side(number), begin) for number, turn in enumerate(found)]
     told = common([one for one in each if one is not None])
-    if told is None or told.fall < told.error:
+    bends = bends_of(found)
+    if told is None or bends is None or told.fall < told.error:
         return found
     return [
-        beside(about(track, turn), turn, Kink(side(number) * told.fall, told.error), begin)
-        for number, turn in enumerate(found)
+        beside(about(track, turn), turn, at_turn(told, bend), begin)
+        for turn, bend in zip(found, bends.tolist(), strict=True)
     ]
+
+
+def at_turn(told: Kink, bend: float) -> Kink:
+    """The same at a turn of such a bend, which a leg that friction does not stop there has more of
+    than what friction takes and gives.
+    """
+    most = abs(bend)
+    return Kink(float(np.copysign(min(told.fall, most), bend)), min(told.error, most), bend)
 
 
 def side(number: int) -> float:
@@ -94,7 +103,8 @@ def beside(track: Track, turn: Peak, kink: Kink, begin: float) -> Peak:
     def turned(fall: float, at: float) -> Peak:
         smooth = track.angle + fall / 2 * np.maximum(track.time - at, 0.0) ** 2
         near = int(np.abs(track.time - turn.time).argmin())
-        return peaks(replace(track, angle=smooth), [near], begin)[0]
+        bend = np.array([kink.bend + fall / 2])  # as before the turn
+        return peaks(replace(track, angle=smooth), [near], begin, bend)[0]
 
     found, here, share = turn, turn, 0.0
     apart = max(turn.time_error, track.step)

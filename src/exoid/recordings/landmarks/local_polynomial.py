@@ -32,6 +32,15 @@ class LocalPolynomials:
         """d^order phi / dt^order at each centre, without its error."""
         return self.coefficients[:, order] * factors(order)[order]
 
+    def believing(self, order: int, value: Samples, error: Samples) -> "LocalPolynomials":
+        """The same, whose derivative at each centre is believed to be a value within an error."""
+        row = derivative_row(order, 0.0)
+        spread = self.covariance[self.kind] @ row
+        gain = spread / (spread @ row + error**2)[:, None]
+        moved = gain * (value - self.value(order))[:, None]
+        left = self.covariance[self.kind] - gain[:, :, None] * spread[:, None, :]
+        return LocalPolynomials(self.coefficients + moved, left, np.arange(value.size))
+
     def only(self, number: int) -> "LocalPolynomials":
         """One of them."""
         one = slice(number, number + 1)
