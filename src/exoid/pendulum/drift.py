@@ -27,6 +27,7 @@ class Reading:
     landmarks: Landmarks
     measures: dict[str, Measure]
     note: str | None = None
+    drift: float = 0.0  # rad/s, taken off the angle
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,8 @@ def read_off(track: Track, find: Callable[[Track], Landmarks]) -> Reading:
         return plain
     other = Reading(level, measures(level))
     if moves.evenly:
-        return Reading(level, beside(other, plain), of_drift(moves, plain))
+        said = of_drift(moves, plain)
+        return Reading(level, beside(other, plain), said, moves.slope.value)
     return Reading(found, beside(plain, other), of_sinking(moves, other))
 
 

@@ -22,6 +22,7 @@ class Drop:
     reason: str | None = None
     note: str | None = None  # what its errors do not hold
     halt: str | None = None  # in its first swing
+    drift: float = 0.0  # rad/s, of the angle's sensor, less which it was read
 
     @property
     def measured(self) -> bool:

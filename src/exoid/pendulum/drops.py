@@ -97,7 +97,7 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
             check_motion(read)
     except NotAllowed as why:
         return Drop(name, segment, mass, {}, None, str(why))
-    return Drop(name, segment, mass, read, found, note=note, halt=halt)
+    return Drop(name, segment, mass, read, found, None, note, halt, drifting.drift)
 
 
 def check_motion(read: dict[str, Measure]) -> None:

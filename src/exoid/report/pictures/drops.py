@@ -20,18 +20,27 @@ SPANS = (("first_flexion_amplitude", "`A1`"), ("plateau_amplitude", "`A0`"))
 def drop_of(drop: Drop) -> tuple[Panel, ...]:
     """Angle, angular velocity and angular acceleration over time, and what was read off them."""
     assert drop.curve is not None  # only what was read is drawn
-    track, curve = drop.segment, drop.curve
-    raw = track.angle if track.raw_angle is None else track.raw_angle
-    assert raw is not None  # a Segment has one or the other
+    curve = drop.curve
     sure = curve.time < curve.time[-1] - HALF  # nearer to the end a second derivative is all noise
-    measured = Line(Role.ANGLE, track.time, np.degrees(raw))
-    marks = (*rest(drop), measured, *swings(drop), *spans(drop))
+    marks = (*rest(drop), *angles(drop), *swings(drop), *spans(drop))
     title = f"segment {drop.name}{loaded(drop)}\n{index(drop)}"
     return (
         Panel(TIME, Axis("angle", "deg"), marks, title, SIZES[0]),
         derivative(drop, "velocity", "deg/s", curve.time, curve.velocity),
         derivative(drop, "acceleration", "deg/s^2", curve.time[sure], curve.acceleration[sure]),
     )
+
+
+def angles(drop: Drop) -> tuple[Line, ...]:
+    """What was measured, and what was read where that is less a drift."""
+    track = drop.segment
+    raw = track.angle if track.raw_angle is None else track.raw_angle
+    assert raw is not None  # a Segment has one or the other
+    if not drop.drift:
+        return (Line(Role.ANGLE, track.time, np.degrees(raw)),)
+    level = raw - drop.drift * (track.time - track.time[0])
+    each = ((Role.DRIFTED, raw), (Role.LEVEL_ANGLE, level))
+    return tuple(Line(role, track.time, np.degrees(angle)) for role, angle in each)
 
 
 def derivative(drop: Drop, kind: str, unit: str, time, samples) -> Panel:
@@ -125,10 +134,15 @@ def show_drop(drop: Drop, number: int) -> Picture:
     words = [f"{each.title} {value(each)} {unit_of(each)}".strip() for each in read]
     said = f"{'; '.join(words).capitalize()}." if words else ""
     dashed = " Dashed: plateau angle; grey: at rest (±2 deg)."
+    drifts = (
+        f" Everything is read off the angle less a drift of {np.degrees(drop.drift):+.2f} deg/s."
+        if drop.drift
+        else ""
+    )
     return Picture(
         f"drop-{number}",
         f"The angle of segment {drop.name} in deg over time in s, with release, turning points and "
         f"resting angle. {said or 'No amplitude could be read.'}",
-        f"Segment {drop.name}. {said}{dashed if landmarks(drop, 'plateau_angle') else ''}",
+        f"Segment {drop.name}. {said}{dashed if landmarks(drop, 'plateau_angle') else ''}{drifts}",
         drop_of(drop)[:1],
     )

@@ -72,6 +72,8 @@ class Role(Enum):
     CAUSE = " cause", Look("#DDDDDD", hatch="/")
     CHOSEN_CAUSE = " chosen cause", Look(BLUE)
     ANGLE = "measured angle", Look(SKY, 2.0)
+    DRIFTED = "angle, as measured", Look(AMBER, 1.0)
+    LEVEL_ANGLE = "less its drift", Look(SKY, 2.0)
     DERIVATIVE = "its derivatives", Look(BLACK, 0.9)
     RESTING = "plateau angle", Look(GREEN, 1.0, (4.0, 2.0))
     AT_REST = "at rest (±2 deg)", Look(BLACK, opacity=0.12)
