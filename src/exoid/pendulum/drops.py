@@ -8,6 +8,7 @@ from exoid.pendulum.drop import Average, Drop, PendulumTest
 from exoid.pendulum.halt import of_halt
 from exoid.pendulum.off_body import with_doubted_times
 from exoid.pendulum.off_clock import with_doubted_clock
+from exoid.pendulum.push import of_push
 from exoid.pendulum.smoothing import as_smoothed
 from exoid.recordings.conventions.jumps import AGAIN, jumps_of, told_jumps
 from exoid.recordings.landmarks.find_landmarks import find_landmarks
@@ -92,7 +93,8 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         read, smoothed = as_smoothed(drifting.measures, cleaned.angle, recording)
         read, clock = with_doubted_clock(read, segment, recording.sensors)
         read, times = with_doubted_times(read, cleaned.recording, number)
-        note = "; ".join(filter(None, (drifting.note, smoothed, clock, times))) or None
+        push = of_push(found, drifting.measures) if handled else None
+        note = "; ".join(filter(None, (drifting.note, smoothed, clock, times, push))) or None
         if halt is None:
             check_motion(read)
     except NotAllowed as why:

@@ -1,0 +1,51 @@
+"""A leg that is pushed as it is let go: what gravity and springs do not do says so."""
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from exoid.pendulum.drops import measure_drops
+from swings import HOLD, NOISE, recorded
+
+STEP = 0.01  # s
+TIME = np.arange(0.0, HOLD + 9.0, STEP)
+
+
+def note(pull, spring, damping, *, push=0.0, lasting=0.05, noise=NOISE):
+    """What is said of a leg under gravity [1/s^2], a spring [1/s^2] about -40 deg and damping
+    [1/s], let go at -10 deg, and pushed by so much [rad/s].
+    """
+
+    def acceleration(time, state):
+        angle, speed = state
+        hand = push / lasting if time < lasting else 0.0
+        own = -pull * np.cos(angle) - spring * (angle + 0.7) - damping * speed
+        return [speed, own - hand]
+
+    begin = [np.radians(-10.0), 0.0]
+    ends = {"rtol": 1e-8, "atol": 1e-10, "max_step": STEP, "dense_output": True}
+    swing = solve_ivp(acceleration, (0.0, TIME[-1] - HOLD), begin, **ends).sol
+    angle = swing(np.maximum(TIME - HOLD, 0.0))[0]
+    angle = angle + noise * np.random.default_rng(1).normal(size=TIME.size)
+    (found,) = measure_drops(recorded(angle, TIME, noise=noise)).drops
+    assert found.reason is None
+    return found.note or ""
+
+
+def test_a_push_of_a_hand_is_told_by_what_no_leg_does_from_rest():
+    said = note(26.0, 4.0, 0.8, push=0.9)
+    assert "it was pushed" in said
+    assert "± does not hold" in said
+
+
+@pytest.mark.parametrize(
+    "leg",
+    [(26.0, 4.0, 0.8), (8.0, 35.0, 0.6), (26.0, 5.0, 4.0)],
+    ids=["relaxed", "by a spring almost alone", "damped"],
+)
+def test_a_leg_that_is_let_go_at_rest_was_not_pushed(leg):
+    assert "pushed" not in note(*leg)
+
+
+def test_noise_that_hides_a_push_leaves_it_unsaid():
+    assert "pushed" not in note(26.0, 4.0, 0.8, push=0.3, noise=0.005)
