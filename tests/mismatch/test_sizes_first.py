@@ -1,8 +1,6 @@
-"""A cause whose first step along the motion fails is as large as it is before it takes its shape."""
+"""A cause whose first step fails is as large as it is before it takes its shape."""
 
 import numpy as np
-from hands import Knee
-from reflexes import stretched
 
 from exoid.fitting.estimate import fit
 from exoid.mismatch.prepare import prepare
@@ -10,6 +8,8 @@ from exoid.mismatch.screen.optimise import given, settle
 from exoid.mismatch.search.search import ROUNDS, beginning
 from exoid.physics.terms.muscle.stretch_reflex import StretchReflex
 from exoid.recordings.recording import Protocol, Recording, Segment, Subject
+from hands import Knee
+from reflexes import stretched
 
 KNEE = Knee(25.2, 5.0, 0.8)
 STARTS = np.radians([-9.8, -36.4, -13.2, -19.2])

@@ -53,7 +53,7 @@ class Track:
         each = {name: getattr(self, name)[rows] for name in ("sample", "time", "angle", "shown")}
         return replace(self, **each)
 
-    def rounded(self, weights: Samples, rows: slice) -> NDArray[np.float64]:
+    def rounded(self, weights: NDArray[np.floating], rows: slice) -> NDArray[np.float64]:
         """The covariance of sums over some samples with these weights (sum, sample), by the
         rounding that samples have in common, beside their white noise.
         """
