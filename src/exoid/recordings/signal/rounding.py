@@ -22,7 +22,7 @@ def stretches(shown: Samples) -> NDArray[np.int_]:
     return np.concatenate([[0], np.flatnonzero(np.abs(np.diff(shown)) > ROUNDING) + 1])
 
 
-def shared(weights: Samples, shown: Samples) -> Samples:
+def shared(weights: NDArray[np.floating], shown: Samples) -> Samples:
     """What a step of rounding does to sums of samples with these weights (sum, sample): two columns
     for every stretch of more than one sample that shows the same, whose error is anywhere within
     half a step, and may go from one end of it to the other.
