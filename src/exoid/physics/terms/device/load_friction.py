@@ -17,7 +17,8 @@ class LoadFriction(PhysicsTerm):
     )
     explanation = (
         "A gear rubs the more, the more weight its teeth carry: it holds an arm far from the "
-        "vertical and lets it swing near it."
+        "vertical and lets it swing near it. Rubber or wire rope that loses the more the farther "
+        "it is bent looks alike."
     )
     isolate = "the same drops without and with a known added mass"
     isolate_driven = "the same movement without and with a known load"
