@@ -95,7 +95,8 @@ def slope_at_rest(track: Track, turns: list[Peak]) -> Slope | None:
     period = last_period(turns)
     end, swung = float(track.time[-1]), turns[-1].time + period if turns else np.inf
     begin = max(swung, min(end - max(LASTING, period), (swung + end) / 2))
-    time, angle = (each[track.time >= begin] for each in (track.time, track.angle))
+    resting = slice(int(np.searchsorted(track.time, begin)), None)
+    time, angle = track.time[resting], track.angle[resting]
     count = min(BLOCKS, time.size // 3)
     if not period or end - begin < max(LASTING, period) or count < LEAST:
         return None
@@ -108,7 +109,11 @@ def slope_at_rest(track: Track, turns: list[Peak]) -> Slope | None:
     noise = max(left, track.noise / (time.size / count) ** 0.5)
     swing = SWING * float(np.linalg.norm(found[2:])) / (end - begin)
     error = noise * float(np.linalg.norm(inverse[1]))
-    return Slope(float(found[1]), hypot(STEADY, error, swing, one_count(angle) / (end - begin)))
+    sizes = [part.size for part in np.array_split(time, count)]
+    weights = np.repeat(np.asarray(inverse[1], dtype=float) / sizes, sizes)
+    rounding = float(track.rounded(weights[None], resting)[0, 0]) ** 0.5
+    parts = STEADY, error, swing, rounding, one_count(angle) / (end - begin)
+    return Slope(float(found[1]), hypot(*parts))
 
 
 def dying(since: Samples, turns: list[Peak]) -> list[Samples]:

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recordings.landmarks.local_polynomial import DEGREE, LocalPolynomials, standing
-from exoid.recordings.landmarks.track import HALF, Peak, Track, nearest
+from exoid.recordings.landmarks.track import HALF, SURE, Peak, Track, nearest
 from exoid.recordings.samples import Samples
 
 BLURRED = 0.005  # s of error in time from which on an extreme is looked for more widely
@@ -81,9 +81,11 @@ def stationary(
 
 def swinging(found: LocalPolynomials, bends: Samples) -> LocalPolynomials:
     """The polynomials of a swing that turns with such bends [rad/s^2]: b, about 0 and -RATE^2 b are
-    its second to fourth derivatives.
+    its second to fourth derivatives. What surely bends more, as by a reflex or a stop, does.
     """
-    size = np.abs(bends)
+    bend, unsure = found.derivative(2)
+    size = np.maximum(np.abs(bends), np.sign(bends) * bend - SURE * unsure)
+    bends = np.sign(bends) * size
     found = found.believing(2, bends, UNSURE * size)
     found = found.believing(3, 0.0 * bends, RATE * size)
     return found.believing(4, -(RATE**2) * bends, RATE**2 * size)

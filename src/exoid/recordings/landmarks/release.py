@@ -157,7 +157,7 @@ def refined(track: Track, begin: float) -> tuple[Release, float]:
     free = max(x.size - table.shape[1], 1)
     rough = max(1.0, float(np.linalg.norm(left)) / track.noise / free**0.5)
     covariance = (rough * track.noise) ** 2 * inverse @ inverse.T
-    covariance += track.rounded(inverse[:, : x.size], used)
+    covariance += track.rounded(np.asarray(inverse[:, : x.size], dtype=float), used)
     errors = np.sqrt(np.diag(covariance))
     tremble = unfollowed(left[: x.size][x < 0], track.noise)
     speed = max(found[1] ** 2 - errors[1] ** 2, 0.0) ** 0.5 / FALL  # beyond what noise does
