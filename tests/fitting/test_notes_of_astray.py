@@ -137,6 +137,29 @@ def test_what_may_be_behind_it_is_what_was_recorded():
     assert "its unit" in both
 
 
+@cache
+def tilted(thigh):
+    """A leg whose thigh lies so [rad], with a sidecar that says nothing of it."""
+    leg = (26.4, 2.4, 0.7)
+    drops = [drop(leg, at, duration=4.0, thigh=thigh) for at in (-0.3, -0.5, -0.7)]
+    return fit(recording(*drops), multistart=2)
+
+
+@pytest.mark.parametrize("thigh", [-15.0, 20.0])
+def test_a_seat_that_nobody_declared_is_named_first_where_a_fit_does_not_follow(thigh):
+    found = tilted(np.radians(thigh))
+    assert not found.follows
+    assert "the thigh is tilted otherwise than is declared" in found.astray
+    (named,) = (note for note in found.notes if "may be behind it" in note)
+    assert "let go: a seat or posture that is not as declared (thigh_angle_deg" in named
+
+
+def test_a_seat_is_named_where_gravity_comes_from_elsewhere_alone():
+    assert "a seat or posture" in of_causes({"passive"}, rig=False, seat=True)
+    assert "a seat or posture" not in of_causes({"passive"}, rig=False)
+    assert "a seat or posture" not in of_causes({"passive"}, rig=True, seat=True)
+
+
 def test_no_number_of_a_refused_model_is_shown_but_what_the_user_fixed():
     result = fit(recorded(DROP), multistart=2, fix={"damping": 0.2})
     assert without_numbers(result) is result

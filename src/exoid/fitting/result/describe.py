@@ -169,7 +169,7 @@ def notes(result: FitResult, basis: Basis, at_bound: set[str], slack: Leaning | 
     """What the user should know of a fit; of one that does not follow what does not hang on it."""
     problem, ended = basis.problem, basis.ended
     if result.astray is not None:
-        return of_refused(result.astray, problem, ended.disturbance)
+        return of_refused(result.astray, problem, ended)
     known = [*limiting(result), *granted(problem)]
     tone = tone_of(result.segments)
     inertia = result.parameters["inertia"].value

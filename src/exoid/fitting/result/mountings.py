@@ -27,7 +27,8 @@ STEP = 1e-6  # of a coordinate, for the slope of what is told
 BEYOND = 8.0  # standard deviations of what is declared, from which on nobody believes it
 OF_THE_REST = ("zero", "tilt")  # they decide where a leg comes to rest
 LIKE_REST = (
-    ", as it does where dry friction lets a leg come to rest beside its middle, or where the "
+    ", as it does where the thigh is tilted otherwise than is declared (thigh_angle_deg, 0 where "
+    "nothing is said), where dry friction lets a leg come to rest beside its middle, or where the "
     "encoder or the gyro drifts"
 )
 MISSES = ", which may make up for what the model misses"

@@ -9,9 +9,10 @@ from collections.abc import Collection, Sequence
 import numpy as np
 
 from exoid.fitting.data.movement import Movement
-from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.systematics import by_recording
+from exoid.fitting.multistart.search_result import SearchResult
+from exoid.fitting.result.mountings import OF_THE_REST
 from exoid.fitting.result.refused.own_swing import own_swing, rests
 from exoid.fitting.result.remarks.anatomy_remarks import length_of
 from exoid.fitting.result.remarks.gyro_remarks import scale_of
@@ -34,11 +35,16 @@ CYCLES = (
     "of cycles the torque is taken to be the cosine of Eq. 10, and that of a muscle seldom is: no "
     "number of the leg follows from them. Let the relaxed leg drop, or measure the torque"
 )
+MOVED = 3.0  # standard deviations of zero or tilt, from which on a seat may explain it
+SEAT = (
+    "a seat or posture that is not as declared (thigh_angle_deg of [protocol], the knee above the "
+    "hip: hold a level to the thigh)"
+)
 LET_GO = (
-    "of a leg that was let go: a hand that stays at it or catches it, a muscle that acts, a mass "
-    "that is not declared, an encoder or a strap that drifts, a stop, dry friction ('exoid fit "
-    "--with coulomb_friction'), or a spring that is slack elsewhere than at full extension (--with "
-    "stiffness_rest_angle)"
+    "of a leg that was let go: {seat}a hand that stays at it or catches it, a muscle that acts, a "
+    "mass that is not declared, an encoder or a strap that drifts, a stop, dry friction "
+    "('exoid fit --with coulomb_friction'), or a spring that is slack elsewhere than at full "
+    "extension (--with stiffness_rest_angle)"
 )
 RIG = (
     "of a rig that was let go: dry friction ('exoid fit --with coulomb_friction'), a stop, a "
@@ -47,22 +53,33 @@ RIG = (
 DRIVEN = "of a torque that was measured: its sign, its unit, and that it is not late"
 
 
-def of_refused(why: str, problem: Problem, found: Disturbance) -> list[str]:
+def of_refused(why: str, problem: Problem, ended: SearchResult) -> list[str]:
     """That it is not followed, what it shows of itself, and what may be behind it."""
     movements, rig = problem.movements, problem.belief.rig
+    seat = turned_away(problem, ended)
     return [
         *of_astray(why, problem),
         *of_sensors(movements),
         *([] if rig else of_swing(problem.belief, movements)),
         *of_rests(movements),
-        of_causes({each.kind for each in movements}, rig=rig),
-        *as_taken(problem, found),
+        of_causes({each.kind for each in movements}, rig=rig, seat=seat),
+        *as_taken(problem, ended.disturbance),
     ]
 
 
-def of_causes(kinds: Collection[str], *, rig: bool) -> str:
-    """What may be behind it, of these kinds of movement."""
-    let_go = RIG if rig else LET_GO
+def turned_away(problem: Problem, ended: SearchResult) -> bool:
+    """Does gravity draw the leg from elsewhere than is declared, as from a seat that is tilted?"""
+    return any(
+        abs(float(getattr(ended.point.mounting, name)[entry]))
+        > MOVED * float(problem.deviation_of(name)[entry])
+        for name in OF_THE_REST
+        for entry in problem.estimated(name)
+    )
+
+
+def of_causes(kinds: Collection[str], *, rig: bool, seat: bool = False) -> str:
+    """What may be behind it, of these kinds of movement; a `seat` where it can be."""
+    let_go = RIG if rig else LET_GO.format(seat=f"{SEAT}, " if seat else "")
     said = {"active": CYCLES, "passive": let_go, "measured": DRIVEN}
     named = "; ".join(words for kind, words in said.items() if kind in kinds)
     return f"what may be behind it, and can be checked: {named}."
