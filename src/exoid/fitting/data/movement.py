@@ -19,8 +19,11 @@ from exoid.recordings.samples import Samples
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.noise import Noise
 
-# A hand from the release on, or what acts on a leg once it is fast, as a reflex; or either.
-KeptBack = Literal["hand", "speed", "filtered", "neither", "unknown"]
+# A hand from the release on, or what acts on a leg once it is fast, as a reflex; or either. Where
+# nothing keeps a leg back, a thrust in its first swing, or that or a spring; nothing where "alike".
+KeptBack = Literal[
+    "hand", "speed", "filtered", "neither", "thrust", "thrust or spring", "alike", "unknown"
+]
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,11 +12,13 @@ import numpy as np
 
 from exoid.fitting.data.guide import GUIDE_WIDTH
 from exoid.fitting.data.movement import KeptBack, Movement, smoothed_motion
+from exoid.fitting.hands.thrust import Thrust, pushed_by, thrust
 from exoid.fitting.misfit.equation import equation
 from exoid.fitting.misfit.residual import sensor_map
 from exoid.fitting.model.coordinates import Unknowns, of_owner, take
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.solve.problem import Problem
+from exoid.physics.ratios import Ratios
 from exoid.recordings.motion.thresholds import CLEAR, SWAY, TRAVEL
 from exoid.recordings.signal.condition import reversals
 
@@ -56,15 +58,29 @@ def fastest(each: Movement) -> int:
     return int(np.argmax(speed[: first + 1])) if first else 0
 
 
-def kept_back_by(whole: Sequence[Movement], problem: Problem, ended: SearchResult) -> KeptBack:
-    """What keeps these drops back, by the leg of a fit of what follows their first swings; unknown
-    where that has more than Eq. 9. What a filter does to a release looks as a hand does.
+def kept_back_by(
+    whole: Sequence[Movement], problem: Problem, ended: SearchResult
+) -> list[KeptBack]:
+    """What keeps each of these drops back, by the leg of a fit of what follows their first swings;
+    unknown where that has more than Eq. 9. What a filter does to a release looks as a hand does.
     """
     if problem.terms:
-        return "unknown"
+        return ["unknown"] * len(whole)
     drops = [number for number, each in enumerate(whole) if bottom(each)]
     swings = [first_swing(whole[number], problem, ended, number) for number in drops]
-    return by_energy(swings, blurred=any(map(is_blurred, whole)))
+    by = by_energy(swings, blurred=any(map(is_blurred, whole)))
+    if by != "neither":
+        return [by] * len(whole)
+    return pushed_by([thrust_of(each, problem, ended, k) for k, each in enumerate(whole)])
+
+
+def thrust_of(each: Movement, problem: Problem, ended: SearchResult, number: int) -> Thrust | None:
+    """The largest impulse that its first swing misses; None of what is no drop."""
+    left_out = problem.movements[number].slow
+    if not left_out:
+        return None
+    leg, zero = leg_of(problem, ended, number)
+    return thrust(each, leg, zero, int(np.searchsorted(each.segment.time, left_out)))
 
 
 def is_blurred(each: Movement) -> bool:
@@ -87,13 +103,19 @@ def by_energy(drops: Sequence[FirstSwing], *, blurred: bool = False) -> KeptBack
     return "unknown" if carried or max(others, default=0.0) >= min(braked) else "speed"
 
 
-def first_swing(each: Movement, problem: Problem, ended: SearchResult, number: int) -> FirstSwing:
-    """Energy over the inertia, and what Eq. 9 takes and gives along the measured motion."""
+def leg_of(problem: Problem, ended: SearchResult, number: int) -> tuple[Ratios, float]:
+    """The leg of a fit as a segment has it, and its encoder's zero [rad]."""
     seen, point = take(problem.observation, number), ended.point
     own = of_owner(point.mounting, seen.owner)
-    leg = equation(Unknowns(point.shared, own, take(point.own, number)), seen, problem.free).ratios
+    eq = equation(Unknowns(point.shared, own, take(point.own, number)), seen, problem.free)
+    return eq.ratios, float(sensor_map(own)[0])
+
+
+def first_swing(each: Movement, problem: Problem, ended: SearchResult, number: int) -> FirstSwing:
+    """Energy over the inertia, and what Eq. 9 takes and gives along the measured motion."""
+    leg, zero = leg_of(problem, ended, number)
     shown, rate = smoothed_motion(each, GUIDE_WIDTH)
-    angle = shown - float(sensor_map(own)[0])
+    angle = shown - zero
     pull = -leg.gravity * np.cos(angle + leg.thigh_angle) - leg.stiffness * angle
     power = np.asarray(pull - leg.damping * rate) * rate
     given = np.concatenate([[0.0], np.cumsum(power[1:] * np.diff(each.segment.time))])

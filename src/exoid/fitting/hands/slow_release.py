@@ -13,7 +13,7 @@ import numpy as np
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.hands.first_instants import differ
 from exoid.fitting.hands.first_swing import bottom, fastest, kept_back_by
-from exoid.fitting.hands.kept_back import NEXT, what
+from exoid.fitting.hands.kept_back import KEEPING, NEXT, names, unlike, what
 from exoid.fitting.hands.last_instants import LOUD, Fitted, misses
 from exoid.fitting.misfit.missed import NOISY, Missed
 from exoid.recordings.motion.acceleration import derivatives, free_until, own_law
@@ -47,7 +47,10 @@ def without_slow_release(
             continue
         if not bent or differ(movements, whole[1], later, found[1]):
             by = kept_back_by(movements, *found)
-            return [replace(each, kept_back=by) if each.slow else each for each in later]
+            return [
+                replace(each, kept_back=own) if each.slow else each
+                for each, own in zip(later, by, strict=True)
+            ]
     return None
 
 
@@ -106,9 +109,12 @@ def of_slow(movements: list[Movement]) -> list[str]:
     if not slow:
         return []
     since = [f"{each.name} from {each.segment.begins:.2f} s" for each in slow]
-    longest, by = max(each.slow for each in slow), slow[0].kept_back
+    longest, odd = max(each.slow for each in slow), unlike(slow)
+    by, where = odd[0].kept_back, "its first swing"
+    if len(odd) < len(slow):
+        where = f"the first swing of segment {names(odd)}"
     return [
-        f"the first {longest:.2f} s behind the release were left out: in its first swing "
-        f"{what(by)}. {NONE if by != 'neither' else ''}The numbers come from the swings behind it "
+        f"the first {longest:.2f} s behind the release were left out: in {where} "
+        f"{what(by)}. {NONE if by in KEEPING else ''}The numbers come from the swings behind it "
         f"alone: segment {', '.join(since)} on. {NEXT[by]}"
     ]

@@ -1,7 +1,7 @@
 """That nothing is missing but where movements begin or end, and nobody can say why there."""
 
 from exoid.fitting.data.movement import Movement
-from exoid.fitting.hands.kept_back import NEXT, what
+from exoid.fitting.hands.kept_back import NEXT, names, unlike, what
 
 SOONER = "Record from 0.3 s before the release on."
 LONGER = "Leave the leg alone until it hangs still."
@@ -21,10 +21,11 @@ def begins_and_ends(movements: list[Movement]) -> list[str]:
             "this"
         )
     if slow:
-        longest = max(each.slow for each in slow)
+        odd = unlike(slow)
+        longest = max(each.slow for each in odd)
         reasons.append(
             f"nothing is missing but in the first {longest:.2f} s behind the release of segment "
-            f"{names(slow)}: there {what(slow[0].kept_back)}"
+            f"{names(odd)}: there {what(odd[0].kept_back)}"
         )
     if kept:
         reasons.append(
@@ -37,10 +38,6 @@ def begins_and_ends(movements: list[Movement]) -> list[str]:
 def what_next(movements: list[Movement]) -> list[str]:
     """What to record to see these begins and ends."""
     said = [SOONER for each in movements if each.late]
-    said += [NEXT[each.kept_back] for each in movements if each.slow]
+    said += [NEXT[each.kept_back] for each in unlike(movements)]
     said += [LONGER for each in movements if each.kept is not None]
     return list(dict.fromkeys(said))
-
-
-def names(movements: list[Movement]) -> str:
-    return ", ".join(each.name for each in movements)
