@@ -35,6 +35,7 @@ SEEN = Observation(
     guide_velocity=0 * WEIGHT,
     cycle=NO_TORQUE,
     torque=NO_TORQUE,
+    torque_reach=0 * ONE,
     added_mass=ONE,
     added_mass_distance=ONE,
     thigh_angle=ONE,

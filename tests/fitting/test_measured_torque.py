@@ -1,12 +1,13 @@
 """A leg led by a stiff motor, made by SciPy: the noise of its torque is no noise of the sensors."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
-from exoid.fitting.result.remarks.torque_zero import variance_left
-from exoid.recordings.recording import Protocol, Recording, Segment, Subject
+from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 from exoid.trust.identify import identify
 from fit_cases import DROP, recorded
 
@@ -43,10 +44,11 @@ def led(torque_noise: float) -> Recording:
 
 @pytest.mark.parametrize(("noise", "doubted"), [(0.05, True), (0.0, False)])
 def test_a_torque_that_may_be_noisy_is_said_to_make_the_leg_too_heavy(noise, doubted):
-    """Noise of 0.05 N m makes J a tenth too large here, on the average."""
+    """Noise of 0.05 N m may make J a tenth too large here."""
     result = fit(led(noise), multistart=4)
     assert any("noise of the measured torque" in each for each in result.notes) == doubted
-    assert (result.parameters["inertia"].value > INERTIA * 1.03) == doubted
+    inertia = result.parameters["inertia"]
+    assert abs(inertia.value - INERTIA) < 2.5 * inertia.standard_error
 
 
 def test_what_a_torque_drove_is_not_asked_whether_it_was_passive():
@@ -55,8 +57,10 @@ def test_what_a_torque_drove_is_not_asked_whether_it_was_passive():
     assert "really passive" not in " ".join(told.sentences)
 
 
-def moved(zero: float) -> Recording:
-    """A leg that a motor moves by slow and quick sines, its torque read off by a zero [N m]."""
+def moved(zero: float, gain: float = 1.0, sensors: Sensors | None = None) -> Recording:
+    """A leg that a motor moves by slow and quick sines, its torque read off by a zero [N m] and a
+    gain.
+    """
     generator, time = np.random.default_rng(8), np.arange(1500) / 100
     rates = 2 * np.pi * np.array([0.13, 0.31, 0.83, 1.9])
     sizes = np.radians([14.0, 8.0, 4.0, 2.0])
@@ -68,9 +72,9 @@ def moved(zero: float) -> Recording:
     segment = Segment(
         time=time,
         raw_angle=angle + generator.normal(0, np.radians(0.03), time.size),
-        applied_torque=torque + zero + generator.normal(0, 0.01, time.size),
+        applied_torque=gain * torque + zero + generator.normal(0, 0.01, time.size),
     )
-    return Recording((segment,), ADULT, Protocol(kind="measured"))
+    return Recording((segment,), ADULT, Protocol(kind="measured"), sensors or Sensors())
 
 
 @pytest.mark.slow
@@ -82,31 +86,64 @@ def test_errors_hold_where_a_torque_sensor_reads_off(zero):
         ratio = result.ratios[f"{name}_over_inertia"]
         assert abs(ratio.value - truth / INERTIA) < 2.5 * ratio.standard_error
         assert ratio.standard_error < 0.4 * truth / INERTIA
-    assert (result.ratios["stiffness_over_inertia"].limited_by or {})["torque_zero"] > 0.3
-    assert any("the torque sensor's zero limits" in each for each in result.notes)
-    assert any("--with torque_bias" in each for each in result.notes)
+    assert (result.ratios["stiffness_over_inertia"].limited_by or {})["torque_zero"] > 0.2
+    found = result.mountings[0].torque_zero
+    assert abs(found.value - zero) < 2.5 * found.standard_error
+
+
+EXACT_GAIN = Sensors(torque_gain_uncertainty=0.0)
+
+
+def fallen(seed: int) -> Segment:
+    """A drop of the same leg."""
+    generator, time = np.random.default_rng(seed), np.arange(400) / 100
+
+    def rates(t, state):
+        angle, velocity = state
+        pull = GRAVITY_MOMENT * np.cos(angle) + STIFFNESS * angle + DAMPING * velocity
+        return [velocity, -pull / INERTIA]
+
+    begin = [np.radians(-20.0), 0.0]
+    angle = solve_ivp(rates, (0, time[-1]), begin, t_eval=time, rtol=1e-9, atol=1e-11).y[0]
+    return Segment(time=time, raw_angle=angle + generator.normal(0, np.radians(0.03), time.size))
+
+
+@pytest.mark.parametrize("zero", [0.6, -0.6])
+def test_drops_beside_it_tell_the_zero_of_a_torque_sensor(zero):
+    """As a constant torque of drops and motor alike it makes J 2 % wrong, 20 of its errors."""
+    led = moved(zero, sensors=EXACT_GAIN)
+    both = replace(
+        led,
+        segments=(fallen(1), fallen(2), *led.segments),
+        protocol=Protocol(kind=("passive", "passive", "measured")),
+    )
+    result = fit(both, multistart=4)
+    inertia, found = result.parameters["inertia"], result.mountings[0].torque_zero
+    assert abs(inertia.value - INERTIA) < 3 * inertia.standard_error < 0.01 * INERTIA
+    assert abs(found.value - zero) < 3 * found.standard_error < 0.1 * abs(zero)
+
+
+@pytest.mark.parametrize("gain", [0.97, 1.02])
+def test_all_that_is_in_newton_metres_is_as_sure_as_the_gain_of_the_torque_sensor(gain):
+    """No motion tells it: J goes with it, and the ratios to J do not."""
+    result = fit(moved(0.0, gain), multistart=4)
+    inertia, moment = result.parameters["inertia"], result.gravity_moment
+    assert inertia.value == pytest.approx(gain * INERTIA, rel=0.01)
+    for each, truth in ((inertia, INERTIA), (moment, GRAVITY_MOMENT)):
+        assert abs(each.value - truth) < 2.5 * each.standard_error
+    assert 0.013 < inertia.standard_error / inertia.value < 0.02
+    assert (inertia.limited_by or {})["torque_gain"] > 0.9
+    assert any("the torque sensor's gain to 1.5 %" in each for each in result.notes)
+
+
+def test_a_gain_that_is_declared_is_believed():
+    sure = fit(moved(0.0, sensors=EXACT_GAIN), multistart=4)
+    inertia = sure.parameters["inertia"]
+    assert inertia.standard_error < 0.005 * inertia.value
+    assert not any("gain" in each for each in sure.notes)
 
 
 def test_a_drop_has_no_torque_sensor():
     result = fit(recorded(DROP), multistart=2)
     assert "torque_zero" not in (result.ratios["gravity_over_inertia"].limited_by or {})
     assert not any("torque sensor" in each for each in result.notes)
-
-
-@pytest.mark.parametrize("seed", range(20))
-def test_a_zero_that_a_fit_takes_for_something_else_keeps_its_variance_whatever_rounding_leaves(
-    seed,
-):
-    """What is left of 1e18 times the variance is rounding, and may be less than nothing."""
-    rng = np.random.default_rng(seed)
-    columns = 1e7 * rng.normal(size=(400, 6))
-    response = columns @ rng.normal(size=6)
-    crossed = (response @ columns)[None]
-    moved = np.linalg.solve(columns.T @ columns, crossed.T)
-    told = variance_left(crossed, moved, np.array([response @ response]))
-    assert 0 < told[0] <= 1
-
-
-def test_a_zero_that_nothing_else_looks_like_is_told_as_well_as_its_samples_do():
-    told = variance_left(np.zeros((1, 6)), np.zeros((6, 1)), np.array([99.0]))
-    assert told[0] == pytest.approx(0.01)

@@ -51,6 +51,8 @@ def prepare(
     best = take(basis.ended.best, 0).coordinates
     observation = without_edges(problem.observation, sensors)
     observation = with_masses(observation, best.mounting, owned)
+    if not all_driven(movements):
+        observation = with_torques(observation, best.mounting)
     problem = replace(problem, observation=observation)
     fitted = as_expected(released(best, problem), result)
     inertia = float(fitted.shared.log_inertia)
@@ -119,6 +121,18 @@ def with_masses(seen: Observation, fitted: Mounting, owned: tuple[str, ...]) -> 
         added_mass_distance=seen.added_mass_distance * moved,
         added_mass_extent=seen.added_mass_extent + own("extent"),
     )
+
+
+def with_torques(seen: Observation, fitted: Mounting) -> Observation:
+    """Measured torques less the zero of their sensor, and by its gain, as drops beside them tell
+    both: a constant torque of the leg would act in the drops, too.
+    """
+    zero, gain = np.asarray(fitted.torque_zero), np.asarray(fitted.torque_gain)
+    owner = np.asarray(seen.owner)
+    offset = np.asarray(seen.torque_reach) * (zero[owner] if zero.size else 0.0)
+    shown = 1 + (gain[owner] if gain.size else np.zeros(owner.shape))
+    true = jax.tree.map(lambda torque: (torque - offset[:, None]) / shown[:, None], seen.torque)
+    return replace(seen, torque=true)
 
 
 def unknown(movements: list[Movement], *, rig: bool) -> tuple[str, ...]:

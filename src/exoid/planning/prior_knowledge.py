@@ -25,7 +25,7 @@ from exoid.fitting.model.coordinates import (
 )
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.prior_and_limits import believe
-from exoid.fitting.model.systematics import OWNED, Systematics
+from exoid.fitting.model.systematics import OWNED, Systematics, owned_by
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.ask import take
 from exoid.fitting.solve.problem import Problem
@@ -80,7 +80,7 @@ class PriorKnowledge:
     def owned(self) -> tuple[str, ...]:
         """What is an unknown of the next recording's mounting."""
         replaced = {term.replaces for term in self.terms}
-        return tuple(name for name in OWNED if name not in replaced)
+        return tuple(name for name in owned_by([]) if name not in replaced)
 
     @property
     def leg(self) -> LegParameters:

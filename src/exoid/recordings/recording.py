@@ -157,6 +157,8 @@ class Sensors:
     angle_zero_uncertainty: float | None = ranged("angle_zero_uncertainty_rad", "rad", 0.0, 3.2)
     gyro_scale_uncertainty: float | None = ranged("gyro_scale_uncertainty", "of 1", 0.0, 0.5)
     clock_uncertainty: float | None = ranged("clock_uncertainty", "of 1", 0.0, 0.5)
+    torque_zero_uncertainty: float | None = ranged("torque_zero_uncertainty_nm", "N m", 0.0, 1e3)
+    torque_gain_uncertainty: float | None = ranged("torque_gain_uncertainty", "of 1", 0.0, 0.5)
     device: str | None = text("device")
     filter: str | None = text("filter", FILTERS)
     filter_step: float | None = ranged("filter_step_s", "s", 1e-5, 1.0)

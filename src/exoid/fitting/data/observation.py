@@ -37,6 +37,7 @@ class Observation:
     guide_velocity: Float[Any, "*segment time"]  # rad/s
     cycle: Drive  # Eq. 10 for unit amplitude at the stage times, 0 where not voluntary
     torque: Drive  # N m, the measured torque at the stage times, 0 where none was
+    torque_reach: Float[Any, "*segment"]  # N m, the greatest of its recording; 0 where none was
     added_mass: Float[Any, "*segment"]  # kg
     added_mass_distance: Float[Any, "*segment"]  # m
     added_mass_moves: Float[Any, "*segment"]  # 1 where its distance follows the mounting, else 0

@@ -100,6 +100,7 @@ def one_observation(
         guide_velocity=np.interp(time, own, slope),
         cycle=staged(time, lambda at: cycle_torque(at - each.onset, each, reading)),
         torque=staged(time, lambda at: measured_torque(at, each)),
+        torque_reach=np.asarray(each.systematics.torque_reach * (each.kind == "measured")),
         added_mass=np.asarray(each.added_mass),
         added_mass_distance=np.asarray(SOMEWHERE if each.unplaced else each.added_mass_distance),
         added_mass_moves=np.asarray(float(each.unplaced or not beside_unplaced(each, movements))),

@@ -24,6 +24,8 @@ class Equation:
     cycle: Float[Any, ""]  # 1/s^2 for unit shape of Eq. 10
     torque: Float[Any, ""]  # 1/(kg m^2), for a measured torque
     share: Float[Any, ""]  # of the leg in the inertia that moves
+    gain: Float[Any, "*entry"]  # less 1, of the sensor of that torque; without entries it is exact,
+    offset: Float[Any, "*entry"]  # N m, and so is its zero
     terms: tuple[Term, ...] = ()
 
 
@@ -51,6 +53,8 @@ def equation(unknowns: Unknowns, observation: Observation, stage: Stage) -> Equa
         cycle=clock**2 * unknowns.own.torque * inertia / total,
         torque=clock**2 / total,
         share=clock**2 * inertia / total,
+        gain=mounting.torque_gain,
+        offset=mounting.torque_zero * observation.torque_reach,
         terms=tuple(over_inertia(term, 1 / inertia) for term in unknowns.terms),
     )
 
@@ -58,6 +62,11 @@ def equation(unknowns: Unknowns, observation: Observation, stage: Stage) -> Equa
 def of(leaf: Float[Any, "*entry"]) -> Float[Any, ""]:
     """The segment's entry of the mounting, 0 where it is no unknown."""
     return leaf[0] if leaf.size else jnp.zeros(())
+
+
+def applied(eq: Equation, torque: Float[Any, "*time"]) -> Float[Any, "*time"]:
+    """Per inertia the torque that acts where this one is shown [rad/s^2]."""
+    return eq.torque * (torque - of(eq.offset)) / (1 + of(eq.gain))
 
 
 def place_of(eq: Equation, observation: Observation, stage: Stage) -> SegmentConstants:

@@ -10,7 +10,7 @@ from jaxtyping import Array, Float, Int
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.data.stage import Stage
-from exoid.fitting.misfit.equation import Equation, equation, of, place_of
+from exoid.fitting.misfit.equation import Equation, applied, equation, of, place_of
 from exoid.fitting.model.coordinates import Unknowns
 from exoid.fitting.model.mounting import Mounting
 from exoid.physics.motion.after_release import after_release
@@ -50,7 +50,7 @@ def advance(
     """The step from sample `index` to the next, where a torque `missing` [J rad/s^2] acts too."""
 
     def push(cycle, torque, missing, guide):
-        return eq.cycle * cycle + eq.torque * torque + eq.share * missing + pull(guide, stage)
+        return eq.cycle * cycle + applied(eq, torque) + eq.share * missing + pull(guide, stage)
 
     now, after = guide(index, observation), guide(index + 1, observation)
     middle = jax.tree.map(lambda a, b: (a + b) / 2, now, after)
@@ -86,7 +86,7 @@ def push_at(eq: Equation, index, observation: Observation, stage: Stage) -> Arra
         return jnp.where(index == 0, drive.begin[0], drive.end[before])
 
     drawn = pull(guide(jnp.asarray(index), observation), stage)
-    return eq.cycle * at(observation.cycle) + eq.torque * at(observation.torque) + drawn
+    return eq.cycle * at(observation.cycle) + applied(eq, at(observation.torque)) + drawn
 
 
 @record

@@ -39,8 +39,8 @@ class Rollout(eqx.Module):
 
     def equation(self, coefficients: Array) -> tuple[Equation, LegState]:
         """The equation and the first state."""
-        ratios, cycle, torque, terms, start = self.whole(coefficients)
-        return Equation(ratios, cycle, torque, self.share, terms), start
+        ratios, cycle, torque, gain, offset, terms, start = self.whole(coefficients)
+        return Equation(ratios, cycle, torque, self.share, gain, offset, terms), start
 
 
 Numbers = tuple[Equation, LegState, Float[Array, "3"]]  # first state, map of the sensors
@@ -75,7 +75,8 @@ def rollout_of(
 
     def split(row):
         eq, start, sensors = numbers(row)
-        return (eq.ratios, eq.cycle, eq.torque, eq.terms, start), sensors, eq.share
+        moving = (eq.ratios, eq.cycle, eq.torque, eq.gain, eq.offset, eq.terms, start)
+        return moving, sensors, eq.share
 
     def together(row):
         moving, sensors, _ = split(row)

@@ -22,3 +22,5 @@ class Mounting:
     gyro_scale: Float[Any, "..."]  # relative, less 1
     gyro_bias: Float[Any, "..."]  # rad/s
     clock: Float[Any, "..."]  # relative: true seconds in a recorded one, less 1
+    torque_zero: Float[Any, "..."]  # what a torque sensor shows of none, over its greatest reading
+    torque_gain: Float[Any, "..."]  # relative, less 1, of the same sensor

@@ -1,4 +1,4 @@
-"""How well what a recording declares is known: sensors, seat, clock and added mass."""
+"""How well what a recording declares is known: sensors, seat, clock, torque and added mass."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
@@ -9,15 +9,19 @@ import numpy as np
 
 from exoid.fitting.model.mounting import Mounting
 from exoid.recordings.recording import Recording
+from exoid.recordings.remembered import remembered
 from exoid.recordings.signal.both_sensors.sensor_scales import GYRO_SCALE
 
 OWNED = tuple(each.name for each in fields(Mounting))
 OF_THE_GYRO = ("gyro_scale", "gyro_bias")
 OF_THE_MASS = ("log_distance", "log_added", "extent")
+OF_THE_TORQUE = ("torque_zero", "torque_gain")
 OF_SENSORS = {  # and by what a sidecar tells those of another recording apart
     "zero": ("device", "encoder_counts"),
     "gyro_scale": ("device", "gyro_range"),
     "clock": ("device",),
+    "torque_zero": ("device",),
+    "torque_gain": ("device",),
 }
 SOMEWHERE = 0.35  # m, of a mass on the shank of which no more is known
 ANYWHERE = 0.5  # of its logarithm
@@ -39,6 +43,9 @@ GYRATION = 0.05  # m, half-normal radius of gyration of weights and cuffs about 
 # Of the greatest torque of a recording: 1 % of a range that is five times what is used of it, and
 # the weight of a lever that nobody took off.
 ZERO_OF_TORQUE = 0.05
+# Of the reading: 0.55 % of the same range at most, of a sensor and its indicator (Mark-10, R50 with
+# 3i), is 2.8 % of a reading of a fifth of it.
+GAIN_OF_TORQUE = 0.015
 MEASURED_GYRATION = 0.1  # of a declared radius of gyration
 # Of the variance, what recordings of one session have in common: their sensors, seat and weights
 # are the same. The rest is a cuff that slips, a weight that is strapped on anew.
@@ -57,6 +64,9 @@ class Systematics:
     gyro_scale: float = GYRO_SCALE
     gyro_bias: Annotated[float, "rad/s"] = GYRO_BIAS
     clock: float = CLOCK
+    torque_zero: float = ZERO_OF_TORQUE  # of the greatest torque
+    torque_gain: float = GAIN_OF_TORQUE
+    torque_reach: Annotated[float, "N m"] = 0.0  # that greatest torque, of the whole recording
     log_added: float = WEIGHED
     distance: Annotated[float, "m"] = PLACED
     expected_extent: Annotated[float, "m^2"] = GYRATION**2
@@ -75,17 +85,20 @@ def systematics(recording: Recording, number: int) -> Systematics:
     gyration = subject.added_mass_gyration
     extents = {} if gyration is None else extent_of(gyration)
     rig = {"zero": ZERO_OF_RIG} if subject.kind == "rig" else {}
+    zero, reach = sensors.torque_zero_uncertainty, greatest_torque(recording)
     told = {
         "zero": sensors.angle_zero_uncertainty,
         "tilt": protocol.thigh_angle_uncertainty,
         "gyro_scale": sensors.gyro_scale_uncertainty,
         "clock": sensors.clock_uncertainty,
+        "torque_zero": None if zero is None or not reach else zero / reach,
+        "torque_gain": sensors.torque_gain_uncertainty,
         "log_added": said / mass if said is not None and mass > 0 else None,
         "distance": subject.added_mass_distance_uncertainty,
         **extents,
     }
     told = {name: value for name, value in told.items() if value is not None}
-    return Systematics(**(rig | told), declared=frozenset(told))
+    return Systematics(**(rig | told), torque_reach=reach, declared=frozenset(told))
 
 
 def extent_of(gyration: float) -> dict[str, float]:
@@ -189,16 +202,30 @@ def sharing(whitening: np.ndarray) -> list[list[int]]:
     return sorted(map(list, alike))
 
 
-def zero_of_torque(movements: Sequence) -> float:
-    """One standard deviation of that of a recording [N m]; 0 where no torque is measured."""
-    driven = [one.segment.applied_torque for one in movements if one.kind == "measured"]
-    return ZERO_OF_TORQUE * max((float(np.nanmax(np.abs(each))) for each in driven), default=0.0)
+def owned_by(movements: Sequence, owned: Sequence[str] = OWNED) -> tuple[str, ...]:
+    """What of `owned` recordings of these movements have: nothing of a torque that none measures,
+    and no gain of one whose unit is any.
+    """
+    driven = [one for one in movements if one.kind == "measured"]
+    has = {"torque_zero": bool(driven), "torque_gain": any(one.gain_known for one in driven)}
+    return tuple(name for name in owned if has.get(name, True))
+
+
+@remembered  # for every of its segments
+def greatest_torque(recording: Recording) -> float:
+    """That was measured in any segment of a recording [N m]; 0 where none was."""
+    each = [one.applied_torque for one in recording.segments if one.applied_torque is not None]
+    return max((float(np.nanmax(np.abs(one), initial=0.0)) for one in each), default=0.0)
 
 
 def is_exact(one, name: str, movements: Sequence) -> bool:
     if name in OF_THE_GYRO and one.angular_velocity is None:
         return True
     if name in OF_THE_MASS and one.added_mass == 0:
+        return True
+    if name in OF_THE_TORQUE and one.kind != "measured":
+        return True
+    if name == "torque_gain" and not one.gain_known:
         return True
     if name == "log_distance":
         if one.unplaced:

@@ -17,7 +17,7 @@ from exoid.fitting.model.systematics import OWNED
 from exoid.fitting.multistart.search_result import scale_told
 from exoid.fitting.multistart.simpler_problems import with_inertia_kept
 from exoid.fitting.multistart.tethers import FINE
-from exoid.fitting.multistart.weight_by_kind import explained, explained_apart
+from exoid.fitting.multistart.weight_by_kind import as_weighed, explained, explained_apart
 from exoid.fitting.solve.ask import advance, better_of, lowest, take, task, told_at
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
@@ -46,7 +46,7 @@ def without_excuses(
     told = scale_told(told_at(problem, free, row))
     moved = problem if told else with_inertia_kept(problem)
     for _ in range(ROUNDS):
-        tight, weighing = held(moved, less), found.weighing(problem.kinds)
+        tight, weighing = held(moved, less, found), found.weighing(problem.kinds)
         declared = jax.tree.map(np.zeros_like, free.coordinates.mounting)
         begin = (free.coordinates, replace(free.coordinates, mounting=declared))
         starts = jax.tree.map(lambda *each: np.concatenate(each), *begin)
@@ -89,8 +89,13 @@ def precision(information: np.ndarray) -> np.ndarray:
     return 1 / np.diag(np.linalg.inv(information + ROUNDING * np.diag(1 + diagonal)))
 
 
-def held(problem: Problem, less: Less, scale: float = 1.0) -> Problem:
-    """The problem in which they are held so, where residuals count 1 / `scale`."""
-    return problem.widened(
-        **{name: problem.deviation_of(name) * scale / less[name] for name in OWNED}
-    )
+def held(problem: Problem, less: Less, found: Disturbance, scale: float = 1.0) -> Problem:
+    """The problem in which they are held so, where residuals count 1 / `scale`, and those of every
+    kind as what was `found` weighs them.
+
+    The gain of a torque keeps its own: no residual tells it, and against what anatomy expects of J
+    it is as sure as it is declared.
+    """
+    weighed = as_weighed(problem, found)
+    wider = {name: weighed.deviation_of(name) * scale / less[name] for name in OWNED}
+    return problem.widened(**wider | {"torque_gain": problem.deviation_of("torque_gain")})

@@ -28,7 +28,7 @@ from exoid.fitting.multistart.simpler_problems import (
 )
 from exoid.fitting.multistart.starts import coordinates, usual_mounting
 from exoid.fitting.multistart.tethers import COARSE, FINE, tethers, within_reach, without_thrust
-from exoid.fitting.multistart.weight_by_kind import alone, explained, explained_apart
+from exoid.fitting.multistart.weight_by_kind import alone, as_weighed, explained, explained_apart
 from exoid.fitting.solve.ask import advance, around, finite, left, lowest, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
@@ -62,10 +62,10 @@ def search(
     problem, free, disturbance = with_what_is_missed(problem, free)
     on_level = None if problem is level else on_level_seats(level, every)
     free, disturbance, less = without_excuses(problem, free, disturbance)
-    best = settle(held(problem, less, disturbance.scale), free, begin, disturbance)
+    best = settle(held(problem, less, disturbance, disturbance.scale), free, begin, disturbance)
     if problem.belief.by_hand.fix or problem.belief.by_hand.bound:
         disturbance = explained(problem, best)  # what no free leg would leave, but this one does
-        best = settle(held(problem, less, disturbance.scale), free, begin, disturbance)
+        best = settle(held(problem, less, disturbance, disturbance.scale), free, begin, disturbance)
     local = around(problem, best, disturbance)
     wide = with_doubted_clocks(problem, best, local)
     if wide is not None:  # the suspicion widens errors, and moves no value
@@ -187,7 +187,7 @@ def weighed_by_kind(
     trusted = alone(problem, free, row, [found.trusted])
     starts = replaced(free.coordinates, row, take(trusted.coordinates, 0))
     asked = task(problem, 0.0, problem.steps, FINE)
-    again = advance(problem, starts, asked, found.weighing(problem.kinds))
+    again = advance(as_weighed(problem, found), starts, asked, found.weighing(problem.kinds))
     return again, left(problem, again, lowest(again), found)
 
 

@@ -6,7 +6,7 @@ import jax
 import numpy as np
 
 from exoid.fitting.data.pace import parts_of
-from exoid.fitting.model.systematics import OWNED, deviations, in_common
+from exoid.fitting.model.systematics import deviations, in_common, owned_by
 from exoid.fitting.solve.problem import Problem, known_of
 
 
@@ -49,14 +49,15 @@ def without_terms(problem: Problem) -> Problem:
     if not problem.terms:
         return problem
     movements, belief = problem.movements, problem.belief
-    declared = {"mounting": deviations(movements), "in_common": in_common(movements)}
+    owned = owned_by(movements)
+    declared = {"mounting": deviations(movements, owned), "in_common": in_common(movements, owned)}
     prior = replace(belief.prior, terms=(), terms_deviation=(), **declared)
     belief = replace(
         belief, prior=prior, limits=replace(belief.limits, lower_terms=(), upper_terms=())
     )
-    known = known_of(movements, belief, OWNED, ())
+    known = known_of(movements, belief, owned, ())
     seen = replace(problem.observation, parts=parts_of(movements))
-    return replace(problem, observation=seen, belief=belief, known=known, owned=OWNED, terms=())
+    return replace(problem, observation=seen, belief=belief, known=known, owned=owned, terms=())
 
 
 def with_terms_kept(problem: Problem) -> Problem:

@@ -16,7 +16,7 @@ from exoid.fitting.model.coordinates import Coordinates, SegmentUnknowns, shared
 from exoid.fitting.model.limits import Limits
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.prior_and_limits import leg_limits
-from exoid.fitting.model.systematics import OWNED
+from exoid.fitting.model.systematics import OWNED, owned_by
 from exoid.fitting.model.term_parameters import over_inertia, term_of
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
@@ -115,8 +115,8 @@ def usual_mounting(
     movements: list[Movement], shape: tuple[int, ...] = (), owned: tuple[str, ...] = OWNED
 ) -> Mounting:
     """The mounting to expect of every recording, as declared, for starts of this shape."""
-    count = len({each.recording for each in movements})
-    return Mounting(*(np.zeros((*shape, count * (name in owned))) for name in OWNED))
+    count, own = len({each.recording for each in movements}), owned_by(movements, owned)
+    return Mounting(*(np.zeros((*shape, count * (name in own))) for name in OWNED))
 
 
 def first_state(movement: Movement) -> tuple[float, float]:

@@ -84,6 +84,16 @@ def explained_apart(problem: Problem, at: Solved, row: int, alike: Disturbance) 
     return replace(alike, kinds=own, scales=scales)
 
 
+def as_weighed(problem: Problem, found: Disturbance) -> Problem:
+    """The same, what is declared of a torque sensor's zero counting as little as the segments that
+    alone show it: else the less these weigh, the more it would stay as declared.
+    """
+    if "torque_zero" not in problem.owned:
+        return problem
+    wider = found.scales.get("measured", 1.0)
+    return problem.widened(torque_zero=wider * problem.deviation_of("torque_zero"))
+
+
 def alone(problem: Problem, at: Solved, row: int, kinds: list[str]) -> Solved:
     """Where a fit to the segments of each of these kinds alone ends: one lane a kind.
 

@@ -28,6 +28,11 @@ def find_conditions(problem: Problem, ended: SearchResult, number: int) -> Condi
     mass = seen_of("added_mass") * np.exp(owned("log_added"))
     torque = float(np.asarray(point.own.torque)[number]) * np.exp(float(point.shared.log_inertia))
     measured = each.segment.applied_torque if each.kind == "measured" else None
+    if measured is not None:
+        shown = interpolated(each.segment.time, measured)
+        measured = (shown - seen_of("torque_reach") * owned("torque_zero")) / (
+            1 + owned("torque_gain")
+        )
     return Conditions(
         angle=float(np.asarray(point.own.angle)[number]),
         angular_velocity=float(np.asarray(point.own.angular_velocity)[number]),
@@ -44,6 +49,6 @@ def find_conditions(problem: Problem, ended: SearchResult, number: int) -> Condi
         period=clock_of("period"),
         frequency=clock_of("frequency"),
         onset=clock_of("onset"),
-        torque=None if measured is None else interpolated(each.segment.time, measured),
+        torque=measured,
         finer=seen.parts,
     )

@@ -118,6 +118,8 @@ class MountingFit:
     gyro_scale: Estimate | None = None
     gyro_bias: Estimate | None = None
     clock: Estimate | None = None
+    torque_zero: Estimate | None = None  # of the torque's sensor
+    torque_gain: Estimate | None = None  # of the same, less 1
 
     @property
     def known(self) -> dict[str, Estimate]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.model.systematics import SLANT, zero_of_torque
+from exoid.fitting.model.systematics import OF_THE_TORQUE, SLANT
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.fit_result import Estimate, FitResult, MountingFit
 from exoid.fitting.result.remarks.gyro_remarks import scale_of
@@ -24,6 +24,7 @@ WORDS = {
     "gyro_bias": "the gyro's bias",
     "clock": "the clock",
     "torque_zero": "the torque sensor's zero",
+    "torque_gain": "the torque sensor's gain",
     "added_mass": "the weight of the added mass",
     "added_mass_distance": "the distance of the added mass",
     "added_mass_gyration": "the extent of the added mass",
@@ -40,12 +41,16 @@ ADVICE = {
     "gyro_scale": "turn the node by a known angle and give gyro_scale_uncertainty",
     "gyro_bias": "keep the node still for a while before the release",
     "clock": "compare the clock with a true one and give clock_uncertainty",
-    "torque_zero": "take off what it reads with nothing on it, or estimate it: --with torque_bias",
+    "torque_zero": "take off what it reads with nothing on it, say how well that is known "
+    "(torque_zero_uncertainty_nm), or record drops beside it, its motor taken off",
+    "torque_gain": "compare it with a known weight on a lever and give torque_gain_uncertainty",
     "added_mass": "weigh the added mass to 0.1 % and give added_mass_uncertainty_kg",
     "added_mass_distance": "measure where it sits and give added_mass_distance_uncertainty_m",
     "added_mass_gyration": "give added_mass_gyration_m, or use a compact weight",
 }
 GRANTED: tuple[tuple[str, str, Callable[[float], str]], ...] = (
+    ("torque_zero", WORDS["torque_zero"], lambda newton_metre: f"{newton_metre:.2g} N m"),
+    ("torque_gain", WORDS["torque_gain"], lambda share: f"{100 * share:.2g} %"),
     ("zero", "the encoder's zero", lambda rad: f"{np.degrees(rad):.2g} deg"),
     ("tilt", "the seat's level", lambda rad: f"{np.degrees(rad):.2g} deg"),
     ("gyro_scale", "the gyro's scale", lambda share: f"{100 * share:.2g} %"),
@@ -132,16 +137,23 @@ def applies(name: str, one: Movement) -> bool:
     """Has a movement what this is known of?"""
     if name in ("log_added", "distance"):
         return one.added_mass > 0 and not (name == "distance" and one.unplaced)
+    if name in OF_THE_TORQUE:
+        return one.kind == "measured" and one.gain_known
     return name != "gyro_scale" or one.angular_velocity is not None
+
+
+def known_to(name: str, one: Movement) -> float:
+    """One standard deviation of what nobody declares of a movement: a torque's zero in N m."""
+    known = one.systematics
+    return known.torque_zero * known.torque_reach if name == "torque_zero" else getattr(known, name)
 
 
 def granted(problem: Problem) -> list[str]:
     """How well what no sidecar says is taken to be known, in one sentence."""
-    zero = max(map(zero_of_torque, problem.recordings))
-    said = [f"the torque sensor's zero to {zero:.2g} N m"] if zero and problem.gain_known else []
+    said = []
     for name, words, shown in GRANTED:
         each = [
-            getattr(one.systematics, name)
+            known_to(name, one)
             for one in problem.movements
             if name not in one.systematics.declared and applies(name, one)
         ]

@@ -19,6 +19,8 @@ MOUNTING = {  # name: symbol, title, unit
     "gyro_scale": ("scale", "gyro scale, less 1", "1"),
     "gyro_bias": ("bias", "gyro bias", "rad/s"),
     "clock": ("clock", "true seconds in a recorded one, less 1", "1"),
+    "torque_zero": ("tau_0", "what the torque sensor shows where no torque acts", "N m"),
+    "torque_gain": ("gain", "torque that is shown over the one that acts, less 1", "1"),
 }
 FIELDS = dict(zip(("log_distance", "log_added", "extent"), list(MOUNTING)[:3], strict=True)) | {
     name: name for name in OWNED[3:]
@@ -93,6 +95,8 @@ def beyond_belief(problem: Problem, ended: SearchResult) -> str | None:
             if away > furthest:
                 furthest = away
                 size = (float(each[entry]) for each in (values, deviations))
+                if field == "torque_zero":
+                    size = (outside(problem, field, entry, each) for each in size)
                 why = off(field, *size) + made_up(field, let_go=let_go, misses=misses)
                 if field in OF_THE_MASS:
                     why = of_added_mass(problem, ended, field, entry)
@@ -119,11 +123,15 @@ def told_as(field: str, value: float) -> str:
     unit = MOUNTING[FIELDS[field]][2]
     if unit.startswith("rad"):
         return f"{np.degrees(value):.2g} {unit.replace('rad', 'deg')}"
+    if unit == "N m":
+        return f"{value:.2g} {unit}"
     return f"{100 * value:.2g} %"
 
 
 def outside(problem: Problem, field: str, entry: int, at):
     """An entry of the mounting as it is told: the distance in m, the mass in kg."""
+    if field == "torque_zero":
+        return at * problem.recordings[entry][0].systematics.torque_reach
     if field not in OF_THE_MASS:
         return at
     each = next(one for one in problem.recordings[entry] if one.added_mass > 0)

@@ -7,7 +7,7 @@ from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observe import observe
 from exoid.fitting.data.pace import parts_of_a_leg_that_sticks
 from exoid.fitting.model.belief import Belief
-from exoid.fitting.model.systematics import OWNED, deviations, in_common
+from exoid.fitting.model.systematics import OWNED, deviations, in_common, owned_by
 from exoid.fitting.solve.problem import Problem, known_of
 from exoid.physics.term import Term, holds
 
@@ -24,7 +24,8 @@ def pose(
     """The problem of fitting one leg to these movements; of what recordings own, `owned` are
     unknowns, but for what one of the `terms` is itself.
     """
-    owned = tuple(name for name in owned if name not in {term.replaces for term in terms})
+    replaced = {term.replaces for term in terms}
+    owned = tuple(name for name in owned_by(movements, owned) if name not in replaced)
     declared, alike = deviations(movements, owned), in_common(movements, owned)
     prior = replace(belief.prior, mounting=declared, in_common=alike)
     observation = observe(movements, reading)

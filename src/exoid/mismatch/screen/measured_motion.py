@@ -11,7 +11,7 @@ from jaxtyping import Array, Float
 
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.data.stage import Stage
-from exoid.fitting.misfit.equation import Equation, place_of
+from exoid.fitting.misfit.equation import Equation, applied, place_of
 from exoid.physics.moment import Moment
 from exoid.physics.motion.step import Drive
 from exoid.physics.motion.with_terms import moment
@@ -86,7 +86,7 @@ def segment_motion(
 def drive_of(eq: Equation, observation: Observation) -> Drive:
     """The known torques per inertia at the stage times [rad/s^2]."""
     return jax.tree.map(
-        lambda cycle, torque: eq.cycle * cycle + eq.torque * torque,
+        lambda cycle, torque: eq.cycle * cycle + applied(eq, torque),
         observation.cycle,
         observation.torque,
     )

@@ -21,6 +21,8 @@ MOUNTED = {
     "gyro_scale": "gyro scale - 1",
     "gyro_bias": "gyro bias",
     "clock": "clock - 1",
+    "torque_zero": "torque sensor's zero",
+    "torque_gain": "torque sensor's gain - 1",
 }
 SHORTEST_NAME = 16  # that still tells the segments of two recordings apart
 
