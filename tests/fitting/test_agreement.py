@@ -1,9 +1,12 @@
 """When a fit follows: by what it misses beyond the noise, beside how far the leg moves."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from exoid.fitting.result.agreement import astray
+from exoid.fitting.misfit.missed import Disturbance, Missed
+from exoid.fitting.result.agreement import astray, of_the_rest, of_unlike
 from exoid.fitting.result.fit_result import SegmentFit
 
 TIME = np.arange(300) * 0.01
@@ -69,3 +72,30 @@ def test_on_a_limit_less_is_enough_for_then_it_is_not_the_physics():
 
 def test_a_leg_that_hardly_moves_is_followed_by_its_noise():
     assert astray([segment(8e-4, size=1e-6)]) is None
+
+
+def weighed(alone: float = 1.9) -> Disturbance:
+    """Passive segments count, measured ones a hundredth of them, which alone are explained."""
+    none = Missed(None, 0.1, 0.0, 1.0, 0.0)
+    both = ("passive", "measured")
+    scales = {"passive": 1.0, "measured": 100.0}
+    left = {"passive": 1.0, "measured": alone}
+    return Disturbance(dict.fromkeys(both, none), scales, np.eye(1), np.ones(1), left)
+
+
+def test_kinds_that_a_leg_of_their_own_explains_are_told_where_one_leg_does_not():
+    """A torque zero that is off made a miss of 46 times the noise, and notes of none."""
+    good, found = segment(8e-4), weighed()
+    assert of_unlike([good, replace(segment(8e-4 * 2), kind="measured")], found) == []
+    (said,) = of_unlike([good, replace(segment(8e-4 * 46), kind="measured")], found)
+    assert "the measured ones are missed by 2.1 deg, 46 times the noise" in said
+    # what it would miss alone, too, is physics that a model lacks
+    assert of_unlike([good, replace(segment(8e-4 * 46), kind="measured")], weighed(40.0)) == []
+
+
+def test_what_is_believed_is_only_said_to_be_explained_where_it_is():
+    far, near = (replace(segment(missed), kind="passive") for missed in (8e-3, 8e-4))
+    away = replace(segment(0.2), kind="measured")
+    assert "because the others are explained." in of_the_rest([near, away], weighed())[0]
+    (said,) = of_the_rest([far, away], weighed())
+    assert "missed by less, 0.46 deg, which is still 10 times the noise" in said

@@ -1,7 +1,7 @@
 """What besides white noise is in a residual, and how it is weighed."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from jaxtyping import Float
@@ -37,6 +37,8 @@ class Disturbance:
     scales: dict[str, float]  # that a kind's residual is divided by, over the least of them
     information: Float[np.ndarray, "coordinate coordinate"]  # H M^-1 H
     widening: Float[np.ndarray, " direction"]  # of the errors, along what the data determine
+    # root mean square, over the noise, that a fit to one kind alone leaves, where kinds differ
+    alone: dict[str, float] = field(default_factory=dict)
 
     @property
     def cause(self) -> Cause | None:

@@ -81,7 +81,10 @@ def explained_apart(problem: Problem, at: Solved, row: int, alike: Disturbance) 
         return alike
     scales = {kind: DOUBT * each / widened[least] for kind, each in widened.items()}
     scales[least] = 1.0
-    return replace(alike, kinds=own, scales=scales)
+    counts = [int(problem.samples[np.isin(problem.kinds, [kind])].sum()) for kind in kinds]
+    left = np.sqrt(solved.misfit / np.array(counts))
+    by_itself = dict(zip(kinds, left.tolist(), strict=True))
+    return replace(alike, kinds=own, scales=scales, alone=by_itself)
 
 
 def as_weighed(problem: Problem, found: Disturbance) -> Problem:

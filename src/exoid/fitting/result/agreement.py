@@ -11,6 +11,8 @@ ASTRAY = 0.1  # of how far the leg moves, missed beyond the noise: then it is an
 ALONE = 0.3  # the same of a single segment: a small one may hold what the model misses
 HELD = 0.03  # the same where a limit decided ...
 HELD_NOISE = 10.0  # ... and times the noise
+EXPLAINED = 3.0  # times the noise, up to which segments are said to be explained
+UNLIKE = 3.0  # times what a kind of segments leaves alone: then one leg does not explain both
 
 
 def astray(segments: Sequence[SegmentFit], limits: Sequence[str] = ()) -> str | None:
@@ -43,10 +45,50 @@ def of_the_rest(segments: list[SegmentFit], found: Disturbance) -> list[str]:
     why = astray(others) if others else None
     if why is None:
         return []
+    kept = believed(segments, found)
+    missed, noise = (pooled(kept, of) for of in (lambda one: one.angle_rmse, noise_of))
+    if missed < EXPLAINED * noise:
+        because = "the others are explained"
+    else:
+        because = (
+            f"the others are missed by less, {np.degrees(missed):.2g} deg, which is still "
+            f"{missed / noise:.0f} times the noise: something is missing in these, too"
+        )
     return [
-        f"{not_followed(others)}: {why}. They told hardly anything, because the others are "
-        "explained: no number is given that they alone tell."
+        f"{not_followed(others)}: {why}. They told hardly anything, because {because}. No number "
+        "is given that they alone tell."
     ]
+
+
+def of_unlike(segments: Sequence[SegmentFit], found: Disturbance) -> list[str]:
+    """Kinds of segments that a leg of their own explains, and that of the others does not."""
+    said = []
+    for kind, alone in found.alone.items():
+        own = [each for each in segments if each.kind == kind]
+        beside = pooled(own, over_noise)
+        if found.scales[kind] > 1.0 and beside > UNLIKE * max(alone, 1.0):
+            missed = np.degrees(pooled(own, lambda each: each.angle_rmse))
+            said.append(
+                f"one leg does not explain all kinds of segments: the {kind} ones are missed by "
+                f"{missed:.2g} deg, {beside:.0f} times the noise, and by themselves would be by "
+                f"{alone:.2g} times. What is said of their residual is said of them alone, and ± "
+                "does not hold what differs between the kinds: the seat, a hand, friction, or the "
+                "zero and gain of a measured torque."
+            )
+    return said
+
+
+def over_noise(each: SegmentFit) -> float:
+    """Root mean square of what is missed of angle and gyro, over their noise."""
+    angle = each.angle_rmse / each.angle_noise
+    if each.velocity_rmse is None or not each.velocity_noise:
+        return angle
+    return float(np.sqrt((angle**2 + (each.velocity_rmse / each.velocity_noise) ** 2) / 2))
+
+
+def noise_of(each: SegmentFit) -> float:
+    """Of its angle [rad]."""
+    return each.angle_noise
 
 
 def unbelieved(segments: Sequence[SegmentFit], found: Disturbance) -> list[SegmentFit]:

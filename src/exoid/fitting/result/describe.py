@@ -18,7 +18,7 @@ from exoid.fitting.multistart.at_odds import at_odds
 from exoid.fitting.multistart.gross_errors import hung_elsewhere, slanted
 from exoid.fitting.multistart.pulled_by_declared import led_astray
 from exoid.fitting.multistart.search_result import SAME_LOSS, SearchResult
-from exoid.fitting.result.agreement import astray, believed, of_the_rest
+from exoid.fitting.result.agreement import astray, believed, of_the_rest, of_unlike
 from exoid.fitting.result.equally_good import equally_good
 from exoid.fitting.result.estimates import (
     estimate_moment,
@@ -176,6 +176,7 @@ def notes(result: FitResult, basis: Basis, at_bound: set[str], slack: Leaning | 
         *of_misplaced(problem, ended),
         *of_anatomy(problem.belief, float(ended.point.shared.gravity), slack),
         *of_the_rest(result.segments, ended.disturbance),
+        *of_unlike(result.segments, ended.disturbance),
         *swung,
         *remarks(problem, ended, at_bound, swung=bool(swung)),
         *of_scale(result.parameters, result.segments),
