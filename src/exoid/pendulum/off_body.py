@@ -9,7 +9,7 @@ from math import sqrt
 
 from exoid.pendulum.off_clock import by_clock
 from exoid.physics.anatomy.expect import expected_leg
-from exoid.physics.leg import GRAVITY
+from exoid.recordings.can.units import GRAVITY
 from exoid.recordings.conventions.balance import balance
 from exoid.recordings.landmarks.measure import Measure
 from exoid.recordings.motion.drops import find_drop

@@ -15,6 +15,7 @@ from exoid.recordings.signal.both_sensors.sensor_scales import GYRO_SCALE
 OWNED = tuple(each.name for each in fields(Mounting))
 OF_THE_GYRO = ("gyro_scale", "gyro_bias")
 OF_THE_MASS = ("log_distance", "log_added", "extent")
+OF_THE_REST = ("zero", "tilt")  # they decide where a leg comes to rest
 OF_THE_TORQUE = ("torque_zero", "torque_gain")
 OF_SENSORS = {  # and by what a sidecar tells those of another recording apart
     "zero": ("device", "encoder_counts"),

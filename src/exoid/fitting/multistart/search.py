@@ -62,16 +62,20 @@ def search(
     problem, free, disturbance = with_what_is_missed(problem, free)
     on_level = None if problem is level else on_level_seats(level, every)
     free, disturbance, less = without_excuses(problem, free, disturbance)
-    best = settle(held(problem, less, disturbance, disturbance.scale), free, begin, disturbance)
+    tight = held(problem, less, disturbance, disturbance.scale)
+    best = settle(tight, free, begin, disturbance)
     if problem.belief.by_hand.fix or problem.belief.by_hand.bound:
         disturbance = explained(problem, best)  # what no free leg would leave, but this one does
-        best = settle(held(problem, less, disturbance, disturbance.scale), free, begin, disturbance)
+        tight = held(problem, less, disturbance, disturbance.scale)
+        best = settle(tight, free, begin, disturbance)
     local = around(problem, best, disturbance)
     wide = with_doubted_clocks(problem, best, local)
     if wide is not None:  # the suspicion widens errors, and moves no value
         clocks = doubted(problem, wide, best)
         problem, local = wide, not_by_anatomy(around(wide, best, disturbance), clocks)
-    ended = SearchResult(free, member, failures, best, disturbance, begin, local, on_level, less)
+    ended = SearchResult(
+        free, member, failures, best, disturbance, begin, local, on_level, tight.belief.prior
+    )
     return problem, ended
 
 

@@ -1,6 +1,6 @@
 """Where all starts of a fit ended."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -9,6 +9,7 @@ from exoid.fitting.misfit.condensed import Neighbourhood
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.uncertainty import decomposed, spread
 from exoid.fitting.model.coordinates import TYPICAL, Coordinates, take
+from exoid.fitting.model.limits import Prior
 from exoid.fitting.solve.program_values import Solved
 
 LIMITED = 1e-3  # tolerance with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
@@ -30,8 +31,7 @@ class SearchResult:
     starts: Coordinates
     local: Neighbourhood  # of `best`
     level: np.ndarray | None = None  # every quantity on level seats, where `best` has tilted ones
-    # By how much more than declared `best` is held to what is, by the leaves of a Mounting.
-    held: dict[str, np.ndarray] = field(default_factory=dict)
+    held: Prior | None = None  # the one of `best`, where what is declared holds it closer
 
     @cached_property
     def point(self) -> Coordinates:

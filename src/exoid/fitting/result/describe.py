@@ -1,6 +1,7 @@
 """From where a search ended to values with errors, units and reasons."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -44,7 +45,7 @@ from exoid.fitting.result.fit_result import (
     SegmentFit,
 )
 from exoid.fitting.result.limiting_systematics import granted, limiting, suspicions
-from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings
+from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings, numbers_at
 from exoid.fitting.result.refused.notes import of_refused
 from exoid.fitting.result.remarks.added_mass_remarks import misplaced, of_misplaced
 from exoid.fitting.result.remarks.anatomy_remarks import of_anatomy
@@ -135,7 +136,9 @@ def describe(
     told = without_bare(without_lost(result), problem)
     errors = {name: told.ratios[name].standard_error or 0.0 for name in LEANING}
     errors |= errors_of(told.mountings)
-    slack = left_open(problem, ended, basis.information.open, errors) if told.follows else None
+    numbers = partial(numbers_at, problem)
+    free = basis.information.open
+    slack = left_open(problem, ended, free, errors, numbers) if told.follows else None
     doubt = doubted_scale(told, problem, misplaced(problem, ended), slack)
     if doubt is not None:
         told = without_scale(told, doubt)

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from exoid.fitting.model.coordinates import Coordinates, layout
-from exoid.fitting.model.systematics import OF_THE_GYRO, OF_THE_MASS, OWNED, SOMEWHERE
+from exoid.fitting.model.coordinates import Coordinates, layout, quantities
+from exoid.fitting.model.systematics import OF_THE_GYRO, OF_THE_MASS, OF_THE_REST, OWNED, SOMEWHERE
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.fit_result import Basis, Estimate, MountingFit
 from exoid.fitting.result.limiting_systematics import WORDS
@@ -27,7 +27,6 @@ FIELDS = dict(zip(("log_distance", "log_added", "extent"), list(MOUNTING)[:3], s
 }  # of a Mounting: as it is called outside
 STEP = 1e-6  # of a coordinate, for the slope of what is told
 BEYOND = 8.0  # standard deviations of what is declared, from which on nobody believes it
-OF_THE_REST = ("zero", "tilt")  # they decide where a leg comes to rest
 LIKE_REST = (
     ", as it does where the thigh is tilted otherwise than is declared (thigh_angle_deg, 0 where "
     "nothing is said), where dry friction lets a leg come to rest beside its middle, or where the "
@@ -79,6 +78,18 @@ def mountings_at(problem: Problem, point: Coordinates) -> dict[str, float]:
         for entry, own in enumerate(problem.recordings)
         if problem.estimates(field, entry)
     }
+
+
+def numbers_at(problem: Problem, point: Coordinates) -> dict[str, float]:
+    """Of a point, by the names of a result; of voluntary segments the means, of what a recording
+    owns with its name before it.
+    """
+    each = dict(zip(problem.quantities, quantities(point, np).tolist(), strict=True))
+    for name in ("torque_amplitude", "torque_over_inertia"):
+        own = [each[one] for one in problem.quantities_of(name)]
+        each |= {name: float(np.mean(own))} if own else {}
+    moment = {"gravity_moment": each["gravity_over_inertia"] * each["inertia"]}
+    return each | moment | mountings_at(problem, point)
 
 
 def beyond_belief(problem: Problem, ended: SearchResult) -> str | None:

@@ -1,10 +1,12 @@
 """What this recording cannot tell from the answer, and what that leaves unknown of the leg."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
 from exoid.fitting.result.fit_result import RIVALS, Estimate, FitResult
+from exoid.fitting.result.mountings import numbers_at
 from exoid.fitting.result.remarks.leaning import BENT
 from exoid.fitting.result.remarks.slack_angle import leaning
 from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect, Verdict
@@ -147,7 +149,8 @@ def of_slack_angle(result: FitResult) -> dict[str, float]:
     """How far numbers are open because nobody knows where the knee's spring is slack."""
     if result.basis is None:
         return {}
-    found = leaning(result.basis.problem, result.basis.ended, result.basis.information.open)
+    problem, ended, free = result.basis.problem, result.basis.ended, result.basis.information.open
+    found = leaning(problem, ended, free, partial(numbers_at, problem))
     return {} if found is None else found.spread
 
 

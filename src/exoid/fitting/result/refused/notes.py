@@ -10,9 +10,8 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.model.belief import Belief
-from exoid.fitting.model.systematics import by_recording
+from exoid.fitting.model.systematics import OF_THE_REST, by_recording
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.result.mountings import OF_THE_REST
 from exoid.fitting.result.refused.own_swing import own_swing, rests
 from exoid.fitting.result.remarks.anatomy_remarks import length_of
 from exoid.fitting.result.remarks.gyro_remarks import scale_of

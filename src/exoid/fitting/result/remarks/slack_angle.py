@@ -8,6 +8,8 @@ S'S - S'A H^-1 A'S of the torque, and show S'A H^-1 g - S'r over that: at a mini
 0, but where the torque is hardly told apart, a little of it counts.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 
 from exoid.fitting.misfit.neighbourhood import prior_information, pull_of_belief
@@ -16,12 +18,9 @@ from exoid.fitting.model.coordinates import (
     Coordinates,
     flattened,
     layout,
-    quantities,
     unflattened,
 )
-from exoid.fitting.multistart.hold_to_declared import held
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.result.mountings import mountings_at
 from exoid.fitting.result.remarks.leaning import BENT, LEANING, Leaning
 from exoid.fitting.solve.ask import grams_at
 from exoid.fitting.solve.problem import Problem
@@ -31,16 +30,21 @@ TOLD = np.radians(5.0)  # error of the rest angle below which a fit by itself sh
 FELT, WORTH = 2.0, 0.01  # errors, and share, of a ratio left open where the rest angle is told
 STIFFER = 2.0  # times as stiff as by the fit that a remark takes the leg for, at most
 REACH, STEPS = 6.0, 20_001  # errors of the torque, beyond which none is likely; so many are tried
+Numbers = Callable[[Coordinates], dict[str, float]]  # of a result, at a point
 CONSTANT = {"stiffness_rest_angle", "torque_bias"}  # terms of such a torque
 
 
 def left_open(
-    problem: Problem, ended: SearchResult, free: np.ndarray, errors: dict[str, float]
+    problem: Problem,
+    ended: SearchResult,
+    free: np.ndarray,
+    errors: dict[str, float],
+    numbers: Numbers,
 ) -> Leaning | None:
     """What a leg's numbers lean on, where another rest angle changes one of these by more than its
     error, and the recording does not rule that out; else None.
     """
-    found = leaning(problem, ended, free)
+    found = leaning(problem, ended, free, numbers)
     if found is None:
         return None
     # A torque that softens the fit's spring leaves one that is slack at BENT little of its own.
@@ -104,7 +108,9 @@ def seen(found: Leaning) -> str:
     )
 
 
-def leaning(problem: Problem, ended: SearchResult, free: np.ndarray) -> Leaning | None:
+def leaning(
+    problem: Problem, ended: SearchResult, free: np.ndarray, numbers: Numbers
+) -> Leaning | None:
     """Where nothing holds the coordinates in these `free` directions; None on a rig, and where the
     model has no spring or a constant torque of its own.
     """
@@ -117,7 +123,7 @@ def leaning(problem: Problem, ended: SearchResult, free: np.ndarray) -> Leaning 
     error, found = (left**-0.5, seen / left) if left > 0 else (np.inf, 0.0)
     usual = likely(stiffness, spring, found, error) / abs(torque) if left > 0 else 1.0
     return Leaning(
-        off=moved(problem, ended, -torque * pull),
+        off=moved(numbers, ended, -torque * pull),
         usual=usual,
         seen=found / stiffness,
         told=error / stiffness,
@@ -142,24 +148,12 @@ def likely(stiffness: float, spring: float, shown: float, error: float) -> float
     return float(np.sqrt(np.average(torque**2, weights=weight)))
 
 
-def moved(problem: Problem, ended: SearchResult, steps: np.ndarray) -> dict[str, float]:
-    """How far every number of a result goes with these steps of the coordinates."""
+def moved(numbers: Numbers, ended: SearchResult, steps: np.ndarray) -> dict[str, float]:
+    """How far every one of a result's `numbers` goes with these steps of the coordinates."""
     here = flattened(ended.point)
     there = unflattened(here + steps * layout(ended.point).units, ended.point)
-    before, after = (numbers_at(problem, point) for point in (ended.point, there))
+    before, after = map(numbers, (ended.point, there))
     return {name: after[name] - before[name] for name in before}
-
-
-def numbers_at(problem: Problem, point: Coordinates) -> dict[str, float]:
-    """Of a point, by the names of a result; of voluntary segments the means, of what a recording
-    owns with its name before it.
-    """
-    each = dict(zip(problem.quantities, quantities(point, np).tolist(), strict=True))
-    for name in ("torque_amplitude", "torque_over_inertia"):
-        own = [each[one] for one in problem.quantities_of(name)]
-        each |= {name: float(np.mean(own))} if own else {}
-    moment = {"gravity_moment": each["gravity_over_inertia"] * each["inertia"]}
-    return each | moment | mountings_at(problem, point)
 
 
 def answer(
@@ -169,7 +163,7 @@ def answer(
     the coordinates; and, over that, the torque that they show.
     """
     scale = ended.disturbance.scale * ended.disturbance.weighing(problem.kinds)
-    prior, point = as_held(problem, ended).belief.prior, ended.point
+    prior, point = ended.held or problem.belief.prior, ended.point
     known = ended.local.prior - prior_information(point, problem.belief.prior)
     known += prior_information(point, prior)
     slope, uphill = np.zeros(len(known)), pull_of_belief(point, prior)
@@ -184,8 +178,3 @@ def answer(
         seen -= pushed @ gram.inside[:, -1] / unit
     pull = free @ inverse_times(decomposed(free.T @ known @ free), free.T @ slope)
     return pull, float(own - slope @ pull), float(seen + pull @ uphill)
-
-
-def as_held(problem: Problem, ended: SearchResult) -> Problem:
-    """The problem that `best` solves: what the model misses is not made up for by zero and seat."""
-    return held(problem, ended.held, ended.disturbance.scale) if ended.held else problem
