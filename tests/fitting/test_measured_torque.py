@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
+from exoid.fitting.result.remarks.torque_zero import variance_left
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 from exoid.trust.identify import identify
 from fit_cases import DROP, recorded
@@ -44,11 +45,10 @@ def led(torque_noise: float) -> Recording:
 
 @pytest.mark.parametrize(("noise", "doubted"), [(0.05, True), (0.0, False)])
 def test_a_torque_that_may_be_noisy_is_said_to_make_the_leg_too_heavy(noise, doubted):
-    """Noise of 0.05 N m may make J a tenth too large here."""
+    """Noise of 0.05 N m makes J a tenth too large here, on the average."""
     result = fit(led(noise), multistart=4)
     assert any("noise of the measured torque" in each for each in result.notes) == doubted
-    inertia = result.parameters["inertia"]
-    assert abs(inertia.value - INERTIA) < 2.5 * inertia.standard_error
+    assert (result.parameters["inertia"].value > INERTIA * 1.03) == doubted
 
 
 def test_what_a_torque_drove_is_not_asked_whether_it_was_passive():
@@ -86,9 +86,9 @@ def test_errors_hold_where_a_torque_sensor_reads_off(zero):
         ratio = result.ratios[f"{name}_over_inertia"]
         assert abs(ratio.value - truth / INERTIA) < 2.5 * ratio.standard_error
         assert ratio.standard_error < 0.4 * truth / INERTIA
-    assert (result.ratios["stiffness_over_inertia"].limited_by or {})["torque_zero"] > 0.2
-    found = result.mountings[0].torque_zero
-    assert abs(found.value - zero) < 2.5 * found.standard_error
+    assert (result.ratios["stiffness_over_inertia"].limited_by or {})["torque_zero"] > 0.3
+    assert any("the torque sensor's zero limits" in each for each in result.notes)
+    assert any("torque_zero_uncertainty_nm" in each for each in result.notes)
 
 
 EXACT_GAIN = Sensors(torque_gain_uncertainty=0.0)
@@ -147,3 +147,22 @@ def test_a_drop_has_no_torque_sensor():
     result = fit(recorded(DROP), multistart=2)
     assert "torque_zero" not in (result.ratios["gravity_over_inertia"].limited_by or {})
     assert not any("torque sensor" in each for each in result.notes)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_zero_that_a_fit_takes_for_something_else_keeps_its_variance_whatever_rounding_leaves(
+    seed,
+):
+    """What is left of 1e18 times the variance is rounding, and may be less than nothing."""
+    rng = np.random.default_rng(seed)
+    columns = 1e7 * rng.normal(size=(400, 6))
+    response = columns @ rng.normal(size=6)
+    crossed = (response @ columns)[None]
+    moved = np.linalg.solve(columns.T @ columns, crossed.T)
+    told = variance_left(crossed, moved, np.array([response @ response]))
+    assert 0 < told[0] <= 1
+
+
+def test_a_zero_that_nothing_else_looks_like_is_told_as_well_as_its_samples_do():
+    told = variance_left(np.zeros((1, 6)), np.zeros((6, 1)), np.array([99.0]))
+    assert told[0] == pytest.approx(0.01)

@@ -24,8 +24,8 @@ class Equation:
     cycle: Float[Any, ""]  # 1/s^2 for unit shape of Eq. 10
     torque: Float[Any, ""]  # 1/(kg m^2), for a measured torque
     share: Float[Any, ""]  # of the leg in the inertia that moves
-    gain: Float[Any, "*entry"]  # less 1, of the sensor of that torque; without entries it is exact,
-    offset: Float[Any, "*entry"]  # N m, and so is its zero
+    gain: Float[Any, "..."]  # less 1, of the sensor of that torque; without entries it is exact,
+    offset: Float[Any, "..."]  # N m, and so is its zero
     terms: tuple[Term, ...] = ()
 
 

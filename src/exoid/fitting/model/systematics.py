@@ -204,12 +204,22 @@ def sharing(whitening: np.ndarray) -> list[list[int]]:
 
 
 def owned_by(movements: Sequence, owned: Sequence[str] = OWNED) -> tuple[str, ...]:
-    """What of `owned` recordings of these movements have: nothing of a torque that none measures,
-    and no gain of one whose unit is any.
+    """What of `owned` is an unknown of a fit to these movements: nothing of a torque that none
+    measures, no gain of one whose unit is any, and no zero where a torque drove all of them.
+
+    Then nothing tells it from a seat's tilt, an encoder's zero or a spring, and a model that misses
+    much would take it for an excuse: errors hold it instead (`remarks/torque_zero.py`).
     """
     driven = [one for one in movements if one.kind == "measured"]
-    has = {"torque_zero": bool(driven), "torque_gain": any(one.gain_known for one in driven)}
+    mixed = 0 < len(driven) < len(movements)
+    has = {"torque_zero": mixed, "torque_gain": any(one.gain_known for one in driven)}
     return tuple(name for name in owned if has.get(name, True))
+
+
+def zero_of_torque(movements: Sequence) -> float:
+    """One standard deviation of that of a recording [N m]; 0 where no torque is measured."""
+    driven = [one.systematics for one in movements if one.kind == "measured"]
+    return max((known.torque_zero * known.torque_reach for known in driven), default=0.0)
 
 
 @remembered  # for every of its segments

@@ -54,6 +54,7 @@ from exoid.fitting.result.remarks.noise_remarks import of_leg_tone, tone_of
 from exoid.fitting.result.remarks.remarks import limits_met, remarks
 from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.fitting.result.remarks.slack_angle import left_open, slack_angle_remarks
+from exoid.fitting.result.remarks.torque_zero import off_by_torque_zero
 from exoid.fitting.result.remarks.zero_remarks import of_far_zeros
 from exoid.fitting.result.untold import (
     doubted_scale,
@@ -85,11 +86,12 @@ def describe(
     basis = Basis(problem, ended, information_at(problem, ended, leaning))
     plain = estimate_ratios(basis, at_bound)
     odds, steps = at_odds(problem, ended), led_astray(problem, ended)
-    beside = slanted(problem, ended)
+    beside, zeros = slanted(problem, ended), off_by_torque_zero(problem, ended)
     elsewhere = hung_elsewhere(problem, ended)
     ratios = {
         name: each.widened(steps.get(name, 0.0), least=odds.get(name, 0.0))
         .widened(beside.get(name, 0.0), cause="tilt")
+        .widened(zeros.get(name, 0.0), cause="torque_zero")
         .widened(elsewhere.get(name, 0.0), cause=DISTANCE)
         for name, each in plain.items()
     }
@@ -97,7 +99,8 @@ def describe(
         name: each.widened(elsewhere[name], cause=DISTANCE)
         for name, each in estimate_leg(basis, ratios, at_bound).items()
     }
-    inertia = parameters["inertia"]
+    inertia = parameters["inertia"].widened(zeros.get("inertia", 0.0), cause="torque_zero")
+    parameters["inertia"] = inertia
     grown = {name: growth(plain[name], each, inertia) for name, each in ratios.items()}
     for name in ("damping", "stiffness"):
         parameters[name] = parameters[name].widened(grown[f"{name}_over_inertia"])

@@ -1,0 +1,67 @@
+"""How far a fit is off whose measured torque reads other than zero where none acts.
+
+Such a zero u is a torque that acts all the time. Around a fit without it, which moves by
+dz = -(A'A + P)^-1 A'b u for it, the residual r and the response b tell it as
+
+    u = -b'r / (1 / s^2 + b'b - b'A (A'A + P)^-1 A'b),
+
+s being its standard deviation and P what is believed. A tilt of the seat, an encoder's zero and a
+spring's slack angle make nearly the same torque: the fit takes what it cannot tell apart for those.
+Where other segments lie beside those that a torque drove, it is an unknown of the fit itself.
+"""
+
+import numpy as np
+
+from exoid.fitting.misfit.neighbourhood import columns
+from exoid.fitting.misfit.uncertainty import VAGUE
+from exoid.fitting.model.systematics import zero_of_torque
+from exoid.fitting.multistart.search_result import SearchResult
+from exoid.fitting.solve.ask import sensed
+from exoid.fitting.solve.problem import Problem
+
+
+def off_by_torque_zero(problem: Problem, ended: SearchResult) -> dict[str, float]:
+    """How far every quantity may be off by it; nothing where no torque is measured, or where it is
+    an unknown of the fit.
+    """
+    if "torque_zero" in problem.owned:
+        return {}
+    deviation = np.array([zero_of_torque(own) for own in problem.recordings])
+    if not deviation.any():
+        return {}
+    known, crossed, square, slope = normal_equations(problem, ended, deviation)
+    moved = np.linalg.solve(known, crossed.T)  # by a zero of one deviation
+    told = variance_left(crossed, moved, square)
+    each = ended.local.quantities @ moved * np.hypot(told * slope, np.sqrt(told))
+    return dict(zip(problem.quantities, np.linalg.norm(each, axis=1), strict=True))
+
+
+def variance_left(crossed: np.ndarray, moved: np.ndarray, square: np.ndarray) -> np.ndarray:
+    """Of every zero, its variance over the one that it is declared with: all of it where the fit
+    takes its response for something else, of which rounding may leave less than nothing.
+    """
+    return 1 / (1 + np.maximum(square - np.sum(crossed * moved.T, axis=1), 0.0))
+
+
+def normal_equations(
+    problem: Problem, ended: SearchResult, deviation: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """A'A + P, and of the zero of every recording A'b, b'b and b'r, by one deviation of it."""
+    found, local, owner = ended.disturbance, ended.local, np.asarray(problem.observation.owner)
+    driven = np.array([kind == "measured" for kind in problem.kinds])
+    per_inertia = driven * deviation[owner] / np.exp(ended.point.shared.log_inertia)
+    seen = sensed(problem, ended.point, per_inertia)
+    size = len(local.prior)
+    known, crossed = local.prior + VAGUE * np.eye(size), np.zeros((len(deviation), size))
+    square, slope = np.zeros((2, len(deviation)))
+    scales = found.scale * found.weighing(problem.kinds)
+    for number, place in enumerate(columns(ended.point, owner)):
+        rows = seen.columns[number].reshape(len(place), -1) / scales[number]
+        response, residual = (
+            each[number].ravel() / scales[number] for each in (seen.responses[:, 0], seen.residual)
+        )
+        known[np.ix_(place, place)] += rows @ rows.T
+        crossed[owner[number], place] += rows @ response
+        square[owner[number]] += response @ response
+        slope[owner[number]] += response @ residual
+    return known, crossed, square, slope
