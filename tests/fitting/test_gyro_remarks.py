@@ -9,6 +9,7 @@ from scipy.signal import butter, lfilter
 from exoid.fitting.data.segment import movement
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.remarks.gyro_remarks import (
+    how_late,
     late_gyro,
     of_late_gyro,
     of_unused_gyro,
@@ -21,13 +22,16 @@ from hands import ADULT, Device, Hand, dropped
 MIDDLE, SIZE, DECAY, RATE = -1.3, 0.9, 0.4, 5.5  # rad, rad, 1/s, rad/s
 
 
-def swing(late=0.0, scale=1.0, err=0.0, noise=True):
-    """A decaying swing in closed form, the gyro `late` [s]; the encoder errs by `err` [rad]."""
+def swing(late=0.0, scale=1.0, err=0.0, noise=True, rocking=0.0):
+    """A decaying swing in closed form, the gyro `late` [s]; the encoder errs by `err` [rad], the
+    thigh below it goes on `rocking` [rad].
+    """
     time, random = np.arange(0.0, 4.0, 0.01), np.random.default_rng(0)
     faded = SIZE * np.exp((1j * RATE - DECAY) * time)
     angle = MIDDLE + faded.real
     before = SIZE * np.exp((1j * RATE - DECAY) * (time - late))
     velocity = scale * ((1j * RATE - DECAY) * before).real
+    angle = angle - rocking * np.sin(RATE * time)
     angle = angle + err * np.sin(2 * angle) + noise * 1e-3 * random.standard_normal(time.size)
     velocity = velocity + 0.02 + noise * 1e-2 * random.standard_normal(time.size)
     segment = Segment(time, raw_angle=angle, raw_angular_velocity=velocity)
@@ -65,6 +69,19 @@ def test_the_user_is_told_when_and_what_to_do():
     assert "about 9.8 ms earlier" in said
     assert "'exoid fit --with sensor_skew'" in said
     assert of_late_gyro(swing()) == []
+
+
+def test_a_thigh_that_rocks_on_is_no_delay_and_what_swings_with_the_leg_may_be_either():
+    (said,) = of_late_gyro(swing(rocking=0.05))
+    assert "as no delay is" in said
+    assert "the thigh moves under an encoder" in said
+    assert "sensor_skew" not in said
+    assert how_late(swing(rocking=0.05)).startswith("the gyro seems")
+    (said,) = of_late_gyro(swing(0.01))
+    assert "a thigh that rocks looks alike" in said
+    assert "sensor_skew" in said
+    assert "sensor_skew' estimates that" in how_late(swing(0.009))
+    assert how_late(swing()) is None
 
 
 def test_a_raw_gyro_beside_a_filtered_angle_is_said_to_be_unused():

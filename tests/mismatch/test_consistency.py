@@ -121,3 +121,55 @@ def test_recordings_may_each_have_their_own_delay():
     both = eqx.tree_at(lambda o: o.angular_velocity, observation, late)
     both = eqx.tree_at(lambda o: o.owner, both, np.array([0, 1]))
     assert not any(one.own for one in consistency(both, Yardstick).errors)
+
+
+def sunk(observation, by):
+    """An encoder of the knee, of whose drops the thigh sinks so far [rad] as they begin."""
+    angles = [
+        angle + each / 2 * (1 + np.tanh((time - 0.3) / 0.2))
+        for time, angle, each in zip(observation.time, observation.angle, by, strict=True)
+    ]
+    return eqx.tree_at(lambda o: o.angle, observation, np.stack(angles))
+
+
+@pytest.mark.parametrize("by", [(0.03, 0.07), (0.07, 0.035)])
+def test_a_thigh_that_sinks_is_no_clock_that_differs_from_drop_to_drop(by):
+    """The gyro shows how fast the leg turns in space. By all of a drop it seems late by its own."""
+    assert not any(one.own for one in consistency(sunk(seen(), by), Yardstick).errors)
+
+
+def test_a_thigh_that_rocks_is_no_clock_either():
+    """3 deg at the leg's own pace, and no less as the swing becomes smaller."""
+    rocked = seen()
+    angles = np.stack(
+        [
+            angle + 0.05 * np.sin(5.6 * time + phase)
+            for time, angle, phase in zip(rocked.time, rocked.angle, (0.0, 0.0), strict=True)
+        ]
+    )
+    rocked = eqx.tree_at(lambda o: o.angle, rocked, angles)
+    errors = {one.name: one for one in consistency(rocked, Yardstick).errors}
+    assert not any(one.own for one in errors.values())
+    larger, smaller = errors["sensor_skew"].by_size
+    assert abs(smaller) > 1.25 * abs(larger)
+
+
+def test_a_delay_is_as_long_in_small_swings():
+    for late in (0.006, -0.02):
+        assert not any(
+            one.by_size for one in consistency(spoiled(seen(), delay=late), Yardstick).errors
+        )
+
+
+def test_a_clock_that_differs_from_drop_to_drop_is_told():
+    observation = seen()
+    shift = np.array([0.002, 0.0035])[:, None]
+    rows = zip(
+        observation.time - shift, observation.time, observation.angular_velocity, strict=True
+    )
+    late = eqx.tree_at(
+        lambda o: o.angular_velocity, observation, np.stack([np.interp(*row) for row in rows])
+    )
+    (own,) = (one.own for one in consistency(late, Yardstick).errors if one.own)
+    for each, true in zip(own, (0.002, 0.0035), strict=True):
+        assert abs(each.value - true) < 5 * each.standard_error + 0.02 * true

@@ -100,6 +100,14 @@ def test_delays_that_differ_between_segments_are_each_told():
     assert "as if by gyro scale" in said
 
 
+def test_a_delay_that_differs_by_the_size_of_a_swing_is_none():
+    skew = SensorError("sensor_skew", 0.012, 9e-5, "s", by_size=[0.0112, 0.021])
+    said = sentences(replace(found(), sensors=[skew]))["Sensors"]
+    assert "as by a delay of 11 ms in the larger swings, of 21 ms in the smaller ones" in said
+    assert "a thigh that rocks or sinks" in said
+    assert "sensor skew" not in said
+
+
 def test_a_zero_that_one_segment_does_not_tell_is_said_to_be_the_segments_own():
     """Of two segments: how far it moves from one to the next, the other does not tell."""
     one = found()

@@ -64,6 +64,7 @@ class SensorError:
     standard_error: float
     unit: str
     own: list[OwnValue] = field(default_factory=list)  # of each segment, where these differ
+    by_size: list[float] = field(default_factory=list)  # of large and of small swings, if apart
 
     @property
     def clear(self) -> bool:

@@ -27,7 +27,9 @@ def compared_at_ease(seen: Observation, measuring: Measuring, slow: float) -> Co
     )
     errors = [
         replace(
-            scaled(each, slow ** POWERS[each.unit]), own=[scaled(one, 1 / slow) for one in each.own]
+            scaled(each, slow ** POWERS[each.unit]),
+            own=[scaled(one, 1 / slow) for one in each.own],
+            by_size=[one / slow for one in each.by_size],
         )
         for each in found.errors
     ]

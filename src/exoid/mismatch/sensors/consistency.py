@@ -11,7 +11,7 @@ from exoid.fitting.data.observation import Observation
 from exoid.mismatch.sensors.agreement import DELAY, Consistency, SensorError
 from exoid.mismatch.sensors.compare import Compared, Measured, compare, with_right_gyros
 from exoid.mismatch.sensors.faults import USUAL, Fault
-from exoid.mismatch.sensors.own_delays import own_delays
+from exoid.mismatch.sensors.own_delays import own_delays, unsteady
 from exoid.mismatch.sensors.smooth import Reference, smooth
 from exoid.mismatch.sensors.strikes import beside, strikes
 from exoid.mismatch.sensors.sure import Measuring, surely
@@ -37,7 +37,12 @@ def consistency(seen: Observation, measuring: Measuring) -> Consistency:
     found = compare(segments, struck, (*USUAL, *others)) if others else usual
     errors = [error_of(found, one) for one in USUAL]
     own = own_delays(segments, struck, np.asarray(seen.owner).tolist())
-    errors = [replace(one, own=own) if one.name == DELAY else one for one in errors]
+    errors = [
+        replace(one, own=own, by_size=unsteady(segments, struck) if one.clear else [])
+        if one.name == DELAY
+        else one
+        for one in errors
+    ]
     return Consistency(errors, references(segments, found, errors), sure)
 
 

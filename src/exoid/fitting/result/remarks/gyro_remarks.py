@@ -10,6 +10,10 @@ from exoid.recordings.signal.condition import SMOOTHING
 from exoid.recordings.signal.local_line import local_line
 
 MOST = 0.5  # of the squares by which gyro and encoder differ, that their delay must explain
+UNSTEADY = (
+    0.25  # of a delay, by which it differs from larger to smaller swings: no more than 0.1 of
+)
+# a gyro that is late, 0.3 and more of a thigh that rocks on as the leg's swing becomes smaller
 FILTERED = 0.01  # s, from where on a filter, which delays and smooths, shows another motion
 
 
@@ -36,10 +40,34 @@ def of_late_gyro(movements: Sequence[Movement]) -> list[str]:
     late = late_gyro(movements)
     if late is None:
         return []
+    if (no_delay := of_rocking(movements)) is not None:
+        return [f"{no_delay}. Errors are widened for it."]
     return [
         f"{lateness(late)}, which is most of how the two differ. Errors are widened for it; "
-        f"{remedy(late)} estimates it, and 'exoid diagnose' asks whether it is that."
+        f"{remedy(late)} estimates it, and 'exoid diagnose' asks whether it is that. Where the "
+        "encoder shows the knee and the gyro the leg in space, a thigh that rocks looks alike."
     ]
+
+
+def how_late(movements: Sequence[Movement]) -> str | None:
+    """How late it is, and what estimates that; None where it is not."""
+    late = late_gyro(movements)
+    if late is None:
+        return None
+    return of_rocking(movements) or f"{lateness(late)}, and {remedy(late)} estimates that"
+
+
+def of_rocking(movements: Sequence[Movement]) -> str | None:
+    """That gyro and encoder lie apart in time as no delay does; None where one may."""
+    larger, smaller = (late_by(each) for each in in_halves(movements))
+    if abs(larger - smaller) <= UNSTEADY * max(abs(larger), abs(smaller)):
+        return None
+    return (
+        f"the gyro seems {1000 * larger:.2g} ms late in the larger swings and "
+        f"{1000 * smaller:.2g} ms in the smaller ones (below 0: early), as no delay is: as where "
+        "the thigh moves under an encoder that shows the knee (strap it down, or put a gyro on "
+        "it), or where play or soft tissue is between a sensor and the leg"
+    )
 
 
 def lateness(late: float) -> str:
@@ -64,14 +92,39 @@ def late_gyro(movements: Sequence[Movement]) -> float | None:
 
     A rate shown t_s late is v - t_s v' to first order, v the slope of the angle.
     """
-    pairs = [pair_of(each) for each in movements if each.gyro_noise and not each.filtered]
+    pairs = pairs_of(movements)
     if not pairs:
         return None
-    slope, rate, change = np.concatenate(pairs, axis=1)
-    alike = np.stack([slope, np.ones_like(slope)], axis=1)
-    before, _ = left_of(rate, alike)
-    after, found = left_of(rate, np.column_stack([alike, -change]))
-    return float(found[-1]) if after < (1 - MOST) * before else None
+    slope, rate, _ = together = np.concatenate(pairs, axis=1)
+    before, _ = left_of(rate, np.stack([slope, np.ones_like(slope)], axis=1))
+    after, late = left_late(together)
+    return late if after < (1 - MOST) * before else None
+
+
+def in_halves(movements: Sequence[Movement]) -> tuple[np.ndarray, np.ndarray]:
+    """`pair_of` all of them, of the larger and of the smaller swings; each tell half of a delay."""
+    pairs = pairs_of(movements)
+    told = [np.cumsum(change**2) for _, _, change in pairs]
+    first = np.concatenate([each < each[-1] / 2 for each in told])
+    together = np.concatenate(pairs, axis=1)
+    return together[:, first], together[:, ~first]
+
+
+def pairs_of(movements: Sequence[Movement]) -> list[np.ndarray]:
+    """Of those with a raw gyro."""
+    return [pair_of(each) for each in movements if each.gyro_noise and not each.filtered]
+
+
+def late_by(pair: np.ndarray) -> float:
+    """How late a gyro is by least squares [s]."""
+    return left_late(pair)[1]
+
+
+def left_late(pair: np.ndarray) -> tuple[float, float]:
+    """The squares that scale, bias and a delay leave, and the delay [s]."""
+    slope, rate, change = pair
+    left, found = left_of(rate, np.stack([slope, np.ones_like(slope), -change], axis=1))
+    return left, float(found[-1])
 
 
 def left_of(rate: np.ndarray, columns: np.ndarray) -> tuple[float, np.ndarray]:

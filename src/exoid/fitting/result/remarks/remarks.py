@@ -9,11 +9,9 @@ from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.multistart.search_result import FEASIBLE, SearchResult, scale_told
 from exoid.fitting.result.remarks.gyro_remarks import (
-    late_gyro,
-    lateness,
+    how_late,
     of_late_gyro,
     of_unused_gyro,
-    remedy,
 )
 from exoid.fitting.result.remarks.noise_remarks import noise_remarks
 from exoid.fitting.result.remarks.stopped_remarks import of_stopped
@@ -186,8 +184,8 @@ def upside_down(problem: Problem, ended: SearchResult) -> bool:
 def of_astray(why: str, problem: Problem) -> list[str]:
     """That the simulation does not follow the recording, and what to do."""
     belief, several = problem.belief, len(problem.recordings) > 1
-    late = None if models_lateness(problem) else late_gyro(problem.movements)
-    first = "" if late is None else f"{lateness(late)}, and {remedy(late)} estimates that; else "
+    late = None if models_lateness(problem) else how_late(problem.movements)
+    first = f"{late}; else " if late else ""
     masses = ", and what mass was on the leg in each" if several else ""
     named = ", ".join(belief.by_hand.names)
     yours = f", and what you said of {named}" if named else ""
@@ -285,7 +283,8 @@ def of_missed(
     if found.cause == "encoder":
         return [
             f"{where} is more than the sensors' noise: it is what an encoder that errs by "
-            f"about {np.degrees(found.deviation):.2g} deg, {over}, would leave. {widened}"
+            f"about {np.degrees(found.deviation):.2g} deg, {over}, or a thigh or base that turns "
+            f"under it, would leave. {widened}"
         ]
     if found.noise > max(NOISY / unit, 1.0):  # 1 where it is not larger, or is less
         return [

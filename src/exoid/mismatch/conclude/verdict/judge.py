@@ -9,7 +9,7 @@ from exoid.mismatch.answer.diagnosis import Verdict
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.conclude.numbers import leg_of, taken_in
 from exoid.mismatch.conclude.rivals import hidden, of_hidden
-from exoid.mismatch.conclude.verdict.apart_in_time import ONE_CLOCK, apart_in_time
+from exoid.mismatch.conclude.verdict.apart_in_time import apart_in_time
 from exoid.mismatch.conclude.verdict.begins_and_ends import begins_and_ends, what_next
 from exoid.mismatch.conclude.verdict.cannot_tell import (
     broken,
@@ -66,8 +66,9 @@ def judge(case: Case, shown: Proof, repeated: float | None, lucky: Chance) -> Ju
     result, found = case.result, case.found
     if moved := moved_by_tone(result):
         return Judgement("cannot_tell", moved, [], [WITHOUT_TONE], but_ends=False)
-    if differing := apart_in_time(found, case.best):
-        return Judgement("cannot_tell", differing, [], [ONE_CLOCK], but_ends=False)
+    differing, then = apart_in_time(found, case.best)
+    if differing:
+        return Judgement("cannot_tell", differing, [], then, but_ends=False)
     verdict, reasons = by_proof(found, case.best, shown, repeated, lucky)
     unseen = hidden(found, result) if verdict == "none" else []
     if unseen:

@@ -97,7 +97,8 @@ def of_each_other(found: Diagnosis) -> str:
     if not found.sensors:
         return "no gyro: encoder and gyro cannot be compared."
     own = [of_segments(each.own, found) for each in found.sensors if each.own]
-    clear = [each for each in found.sensors if each.clear and not each.own]
+    own += [of_sizes(each.by_size) for each in found.sensors if each.by_size and not each.own]
+    clear = [each for each in found.sensors if each.clear and not each.own and not each.by_size]
     if not clear:
         return " ".join(own) or "encoder and gyro agree."
     told = {each.name: each for each in clear if among_others(each, found)}
@@ -118,6 +119,16 @@ def of_segments(delays: list[OwnValue], found: Diagnosis) -> str:
     return (
         f"encoder and gyro lie apart by another time in each segment: the gyro is late by "
         f"{listed(each)} (± {error:.1g} ms by noise alone; below 0 it is early)."
+    )
+
+
+def of_sizes(delays: list[float]) -> str:
+    """How late the gyro seems in the larger and in the smaller swings."""
+    larger, smaller = (f"{1e3 * one:.2g} ms" for one in delays)
+    return (
+        f"encoder and gyro lie apart as by a delay of {larger} in the larger swings, of {smaller} "
+        "in the smaller ones, which is none: a thigh that rocks or sinks, of which an encoder of "
+        "the knee knows nothing, does that, and play or soft tissue under a sensor."
     )
 
 
