@@ -12,10 +12,10 @@ import numpy as np
 
 from exoid.fitting.misfit.uncertainty import decomposed, inverse_times
 from exoid.fitting.model.coordinates import layout
+from exoid.fitting.model.systematics import OF_THE_REST
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.solve.problem import Problem
 
-PAIR = ("zero", "tilt")
 BOTH = ("gravity_over_inertia", "stiffness_over_inertia")
 ALIKE = 0.2  # of tilt - zero, by which it may change where a straight line still holds
 
@@ -45,13 +45,13 @@ def either(problem: Problem, ended: SearchResult, entry: int) -> Either | None:
     """The same of one recording, by a straight line from the fit; None where it has not both, and
     where a line does not reach so far.
     """
-    if not all(problem.estimates(name, entry) for name in PAIR):
+    if not all(problem.estimates(name, entry) for name in OF_THE_REST):
         return None
-    zero, tilt = (float(getattr(ended.point.mounting, name)[entry]) for name in PAIR)
+    zero, tilt = (float(getattr(ended.point.mounting, name)[entry]) for name in OF_THE_REST)
     rows = [problem.quantities.index(name) for name in BOTH]
     here, slopes = ended.best.quantities[0, rows], ended.local.quantities[rows]
     found = []
-    for none in reversed(PAIR):
+    for none in reversed(OF_THE_REST):
         step, apart = without(none, problem, ended, entry)
         if not abs(apart - (tilt - zero)) < ALIKE * abs(tilt - zero):
             return None
@@ -67,14 +67,14 @@ def without(
     What both are known by is taken from the information H; its pull g is in balance with the data.
     """
     laid, point = layout(ended.point), ended.point
-    at = [int(getattr(laid.places.mounting, name)[entry]) for name in PAIR]
-    values = np.array([float(getattr(point.mounting, name)[entry]) for name in PAIR])
-    deviations = np.array([problem.deviation_of(name)[entry] for name in PAIR])
+    at = [int(getattr(laid.places.mounting, name)[entry]) for name in OF_THE_REST]
+    values = np.array([float(getattr(point.mounting, name)[entry]) for name in OF_THE_REST])
+    deviations = np.array([problem.deviation_of(name)[entry] for name in OF_THE_REST])
     known = (laid.units[at] / deviations) ** 2
     told, pull = ended.local.data + ended.local.prior, np.zeros(laid.size)
     told[at, at] -= known
     pull[at] = -known * values / laid.units[at]
-    gone = PAIR.index(none)
+    gone = OF_THE_REST.index(none)
     free, step = np.delete(np.arange(laid.size), at[gone]), np.zeros(laid.size)
     step[at[gone]] = -values[gone] / laid.units[at[gone]]
     left = -(pull + told @ step)[free]
