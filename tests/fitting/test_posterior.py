@@ -1,6 +1,5 @@
 """Draws against what is known of the density: its derivatives, its moments, its walls."""
 
-import warnings
 from dataclasses import replace
 from functools import partial
 
@@ -11,7 +10,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.errors import posterior as module
-from exoid.fitting.errors.posterior import Posterior, r_hat, sample, to_netcdf
+from exoid.fitting.errors.posterior import Posterior, quiet_arviz, r_hat, sample, to_netcdf
 from exoid.fitting.errors.posterior_density import log_density, posed
 from exoid.fitting.estimate import fit
 from exoid.fitting.misfit.uncertainty import whitening
@@ -22,9 +21,10 @@ from fit_cases import CYCLE, DROP, LOADED, recorded
 
 pytest.importorskip("blackjax")
 pytest.importorskip("h5netcdf")
-with warnings.catch_warnings():
-    warnings.filterwarnings("ignore", r"\s*ArviZ is undergoing", FutureWarning)
-    arviz = pytest.importorskip("arviz")
+try:
+    arviz = quiet_arviz()
+except ImportError:
+    pytest.skip("needs arviz", allow_module_level=True)
 
 FEW = {"draws": 200, "warmup": 60}  # one compilation serves both legs
 CHANCE = 4.0  # standard errors of a Monte Carlo mean: passed by one of 16 000

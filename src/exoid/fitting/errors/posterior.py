@@ -153,10 +153,15 @@ def r_hat(posterior: Posterior) -> dict[str, float]:
 
 
 def quiet_arviz():
-    """ArviZ, whose announcement of its next version is no concern of the user."""
+    """ArviZ, whose announcement of its next version is no concern of the user. It notes the day of
+    that in a file, which fails where another process does so at the same moment.
+    """
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", r"\s*ArviZ is undergoing", FutureWarning)
-        import arviz
+        try:
+            import arviz
+        except FileNotFoundError:
+            import arviz
     return arviz
 
 
