@@ -10,10 +10,10 @@ from markupsafe import Markup, escape
 PRINTED = {"^2": "²", "^3": "³", "->": "→"}  # a terminal has only what a keyboard has
 GREEK = {"tau": "τ", "phi": "φ", "omega": "ω", "w": "ω"}
 ATOM = re.compile(
-    r"(?<![A-Za-z_&])(?P<name>tau|phi|omega|[A-Za-z])(?:_(?P<word>[a-z]+)|(?P<number>\d+))?(?![A-Za-z])"
+    r"(?<![A-Za-z_&])(?P<name>tau|phi|omega|[A-Za-z])(?:_(?P<word>[a-z]+|\d+)|(?P<number>\d+))?(?![A-Za-z])"
 )
 SYMBOL = re.compile(r"`([^`]*)`")
-NAMED = r"(?:(?:tau|phi|omega)(?:_[a-z]+)?|[mJldcTr](?:_[a-z])?|[Fawt]_[a-z]|A[01]|D\d)"
+NAMED = r"(?:(?:tau|phi|omega)(?:_(?:[a-z]+|\d+))?|[mJldcTr](?:_[a-z])?|[Fawt]_[a-z]|A[01]|D\d)"
 CHAIN = rf"{NAMED}(?: (?:{NAMED}|g)(?!\w))*"
 UNIT = r"[A-Za-z][A-Za-z²³^0-9]*"
 PROSE = re.compile(
