@@ -1,12 +1,14 @@
 """What a fit says of legs whose spring is slack elsewhere than at full extension; by SciPy."""
 
 from dataclasses import replace
+from functools import partial
 
 import jax
 import numpy as np
 import pytest
 
 from exoid.fitting.estimate import fit
+from exoid.fitting.result.mountings import numbers_at
 from exoid.fitting.result.remarks.leaning import BENT, LEANING
 from exoid.fitting.result.remarks.slack_angle import leaning, likely
 from exoid.physics.terms.tissue.end_range_stiffening import EndRangeStiffening
@@ -23,9 +25,11 @@ def fitted(slack=0.0, noise=QUIET, leg=ADULT, subject=BODY, **how):
     return fit(recording(made, sensors=sensors, subject=subject), multistart=2, **how)
 
 
-def leans(result):
-    assert result.basis is not None
-    return leaning(result.basis.problem, result.basis.ended, result.basis.information.open)
+def leans(result, ended=None):
+    basis = result.basis
+    assert basis is not None
+    problem, free = basis.problem, basis.information.open
+    return leaning(problem, ended or basis.ended, free, partial(numbers_at, problem))
 
 
 def noted(result):
@@ -181,7 +185,7 @@ def test_what_it_sees_hangs_not_on_how_exactly_a_fit_has_ended():
     )  # 1/s^2, a tenth of an error
     rows = jax.tree.map(lambda leaf: np.asarray(leaf)[None], replace(point, shared=nearly))
     begun = replace(ended, best=replace(ended.best, coordinates=rows))
-    exact, rough = leans(found), leaning(found.basis.problem, begun, found.basis.information.open)
+    exact, rough = leans(found), leans(found, begun)
     assert exact is not None
     assert rough is not None
     assert rough.seen == pytest.approx(exact.seen, abs=0.1 * exact.told)

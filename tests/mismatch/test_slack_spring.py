@@ -1,8 +1,11 @@
 """A diagnosis holds in ± that nobody knows where a knee's spring is slack; legs by SciPy."""
 
+from functools import partial
+
 import pytest
 
 from exoid.fitting.result.fit_result import RIVALS
+from exoid.fitting.result.mountings import numbers_at
 from exoid.fitting.result.remarks.leaning import BENT
 from exoid.fitting.result.remarks.slack_angle import leaning
 from exoid.mismatch.missing_physics import diagnose
@@ -37,7 +40,8 @@ def test_so_do_the_errors_of_what_goes_with_them(bent, name):
     found = bent.fit.parameters[name]
     slack = found.standard_error * found.limited_by[RIVALS] ** 0.5
     basis = bent.fit.basis
-    leans = leaning(basis.problem, basis.ended, basis.information.open)
+    numbers = partial(numbers_at, basis.problem)
+    leans = leaning(basis.problem, basis.ended, basis.information.open, numbers)
     assert slack >= 0.99 * leans.spread[name] > 0.1 * found.value
     assert found.if_slack is None  # ± has it
 
