@@ -99,8 +99,7 @@ def describe(
         name: each.widened(elsewhere[name], cause=DISTANCE)
         for name, each in estimate_leg(basis, ratios, at_bound).items()
     }
-    inertia = parameters["inertia"].widened(zeros.get("inertia", 0.0), cause="torque_zero")
-    parameters["inertia"] = inertia
+    inertia = parameters["inertia"]
     grown = {name: growth(plain[name], each, inertia) for name, each in ratios.items()}
     for name in ("damping", "stiffness"):
         parameters[name] = parameters[name].widened(grown[f"{name}_over_inertia"])
