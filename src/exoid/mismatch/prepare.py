@@ -9,7 +9,7 @@ from exoid.fitting.data.movement import Movement, all_driven
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.data.pace import LEG, quickest
 from exoid.fitting.model.coordinates import Coordinates
-from exoid.fitting.model.mounting import Mounting
+from exoid.fitting.model.mounting import Mounting, acting
 from exoid.fitting.model.systematics import OF_THE_GYRO, OWNED
 from exoid.fitting.multistart.starts import first_state, usual_mounting
 from exoid.fitting.multistart.tethers import tethers
@@ -130,9 +130,8 @@ def with_torques(seen: Observation, fitted: Mounting) -> Observation:
     zero, gain = np.asarray(fitted.torque_zero), np.asarray(fitted.torque_gain)
     owner = np.asarray(seen.owner)
     offset = np.asarray(seen.torque_reach) * (zero[owner] if zero.size else 0.0)
-    shown = 1 + (gain[owner] if gain.size else np.zeros(owner.shape))
-    true = jax.tree.map(lambda torque: (torque - offset[:, None]) / shown[:, None], seen.torque)
-    return replace(seen, torque=true)
+    offset, own = (each[:, None] for each in (offset, gain[owner] if gain.size else 0.0 * offset))
+    return replace(seen, torque=jax.tree.map(lambda one: acting(one, offset, own), seen.torque))
 
 
 def unknown(movements: list[Movement], *, rig: bool) -> tuple[str, ...]:

@@ -2,8 +2,10 @@
 
 import re
 
+from exoid.files.column_asked import COLUMN
+
 CALLED = (
-    (re.compile(r'\bcolumns=\{"(\w+)": ("[^"]*"|NAME)\}'), r"--column \1=\2"),
+    (COLUMN, r"--column \1=\2"),
     (re.compile(r'\b(flip|zero)="(\w+)"'), r"--\1 \2"),
     (re.compile(r"\(dbc and signals\)"), "(--dbc and --signal)"),
 )

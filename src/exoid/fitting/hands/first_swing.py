@@ -12,7 +12,7 @@ import numpy as np
 
 from exoid.fitting.data.guide import GUIDE_WIDTH
 from exoid.fitting.data.movement import KeptBack, Movement, smoothed_motion
-from exoid.fitting.hands.thrust import Thrust, pushed_by, thrust
+from exoid.fitting.hands.thrust import Thrust, by_law, pushed_by, thrust
 from exoid.fitting.misfit.equation import equation
 from exoid.fitting.misfit.residual import sensor_map
 from exoid.fitting.model.coordinates import Unknowns, of_owner, take
@@ -116,8 +116,7 @@ def first_swing(each: Movement, problem: Problem, ended: SearchResult, number: i
     leg, zero = leg_of(problem, ended, number)
     shown, rate = smoothed_motion(each, GUIDE_WIDTH)
     angle = shown - zero
-    pull = -leg.gravity * np.cos(angle + leg.thigh_angle) - leg.stiffness * angle
-    power = np.asarray(pull - leg.damping * rate) * rate
+    power = by_law(angle, rate, leg) * rate
     given = np.concatenate([[0.0], np.cumsum(power[1:] * np.diff(each.segment.time))])
     energy, turn, top = rate**2 / 2, bottom(each), fastest(each)
     slow = int(np.argmax(np.abs(rate) >= SLOW * abs(rate[top])))

@@ -8,6 +8,7 @@ REFLEX = (
     "To tell a stretch reflex from a hand or an obstacle: let go at once, touch nothing, from "
     "several angles, some too low for the leg to be fast; EMG of the quadriceps."
 )
+KEEPING: tuple[KeptBack, ...] = ("hand", "speed", "filtered", "unknown")  # the leg back
 AS: dict[KeptBack, str] = {
     "hand": "as where a hand lets go slowly or moves as it lets go, or a muscle holds the leg",
     "speed": "by what begins only once the leg is fast: it may be a stretch reflex (spasticity), "
@@ -41,9 +42,6 @@ NEXT: dict[KeptBack, str] = {
     "thrust or spring": f"{UNTOUCHED}, from several angles.",
     "unknown": REFLEX,
 }
-
-
-KEEPING: tuple[KeptBack, ...] = ("hand", "speed", "filtered", "unknown")  # the leg back
 
 
 def what(by: KeptBack) -> str:

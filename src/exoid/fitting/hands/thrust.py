@@ -59,10 +59,15 @@ def thrust(each: Movement, leg: Ratios, zero: float, begin: int) -> Thrust:
 
 def impulses(time: Samples, angle: Samples, rate: Samples, leg: Ratios) -> Samples:
     """What the rate has gained up to each sample that Eq. 9 does not make [rad/s]."""
-    pull = -leg.gravity * np.cos(angle + leg.thigh_angle) - leg.stiffness * angle
-    law = np.asarray(pull - leg.damping * rate)
+    law = by_law(angle, rate, leg)
     made = np.cumsum((law[1:] + law[:-1]) / 2 * np.diff(time))
     return rate - np.concatenate([[0.0], made])
+
+
+def by_law(angle: Samples, rate: Samples, leg: Ratios) -> Samples:
+    """What Eq. 9 makes of it where no torque acts [rad/s^2]."""
+    pull = -leg.gravity * np.cos(angle + leg.thigh_angle) - leg.stiffness * angle
+    return np.asarray(pull - leg.damping * rate)
 
 
 def between(angle: Samples) -> tuple[float, float]:

@@ -8,6 +8,7 @@ from jaxtyping import Float
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.data.stage import Stage
 from exoid.fitting.model.coordinates import Unknowns
+from exoid.fitting.model.mounting import acting
 from exoid.fitting.model.term_parameters import over_inertia
 from exoid.physics.leg import GRAVITY
 from exoid.physics.moment import Cycle, SegmentConstants
@@ -66,7 +67,7 @@ def of(leaf: Float[Any, "*entry"]) -> Float[Any, ""]:
 
 def applied(eq: Equation, torque: Float[Any, "*time"]) -> Float[Any, "*time"]:
     """Per inertia the torque that acts where this one is shown [rad/s^2]."""
-    return eq.torque * (torque - of(eq.offset)) / (1 + of(eq.gain))
+    return eq.torque * acting(torque, of(eq.offset), of(eq.gain))
 
 
 def place_of(eq: Equation, observation: Observation, stage: Stage) -> SegmentConstants:

@@ -24,3 +24,8 @@ class Mounting:
     clock: Float[Any, "..."]  # relative: true seconds in a recorded one, less 1
     torque_zero: Float[Any, "..."]  # what a torque sensor shows of none, over its greatest reading
     torque_gain: Float[Any, "..."]  # relative, less 1, of the same sensor
+
+
+def acting(shown: Any, zero: Any, gain: Any) -> Any:
+    """The torque behind what its sensor shows, by the sensor's zero, in the same unit, and gain."""
+    return (shown - zero) / (1 + gain)

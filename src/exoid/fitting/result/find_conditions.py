@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from exoid.fitting.model.mounting import acting
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.conditions import Conditions
 from exoid.fitting.solve.problem import Problem
@@ -30,9 +31,8 @@ def find_conditions(problem: Problem, ended: SearchResult, number: int) -> Condi
     measured = each.segment.applied_torque if each.kind == "measured" else None
     if measured is not None:
         shown = interpolated(each.segment.time, measured)
-        measured = (shown - seen_of("torque_reach") * owned("torque_zero")) / (
-            1 + owned("torque_gain")
-        )
+        zero = seen_of("torque_reach") * owned("torque_zero")
+        measured = acting(shown, zero, owned("torque_gain"))
     return Conditions(
         angle=float(np.asarray(point.own.angle)[number]),
         angular_velocity=float(np.asarray(point.own.angular_velocity)[number]),

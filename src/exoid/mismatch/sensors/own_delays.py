@@ -15,10 +15,9 @@ from exoid.mismatch.sensors.compare import Compared, Measured, compare
 from exoid.mismatch.sensors.faults import SKEW, USUAL
 
 CLEAR = 5.0  # standard deviations by which two delays differ; 2.7 where all segments have one
-UNSTEADY = (
-    0.25  # of a delay, by which it differs from larger to smaller swings: of one 0.03 at most,
-)
-# of a thigh that rocks on as the swing becomes smaller 0.24 and more
+# Of a delay, by which it differs from larger to smaller swings: of one 0.03 at most, of a thigh
+# that rocks on as the swing becomes smaller 0.24 and more.
+UNSTEADY = 0.25
 LEAST = 5e-4  # s, of such a difference: a filter that is no delay makes 2.5e-4
 
 
@@ -89,9 +88,7 @@ def unsteady(segments: list[Measured], struck: list[np.ndarray]) -> list[float]:
 
 def differ(one: OwnValue, other: OwnValue) -> bool:
     """Do two delays clearly differ, by a time that matters? One without an error is not told."""
-    between, error = (
-        abs(one.value - other.value),
-        np.hypot(one.standard_error, other.standard_error),
-    )
+    between = abs(one.value - other.value)
+    error = np.hypot(one.standard_error, other.standard_error)
     told = one.standard_error > 0 and other.standard_error > 0
     return bool(told and between > max(CLEAR * error, LEAST))

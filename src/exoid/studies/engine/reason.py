@@ -1,12 +1,9 @@
 """Why a recording has no result, in one sentence for a table."""
 
-import re
-
+from exoid.files.column_asked import COLUMN
 from exoid.files.library_faults import is_ours
 from exoid.files.system_errors import told
 from exoid.files.visible import visible
-
-COLUMNS = re.compile(r'\bcolumns=\{"(\w+)": ("[^"]*"|NAME)\}')
 
 
 def reason_of(fault: BaseException) -> str:
@@ -16,7 +13,7 @@ def reason_of(fault: BaseException) -> str:
     if isinstance(fault, OSError) and fault.strerror:
         return visible(told(fault))
     if isinstance(fault, ValueError | ArithmeticError) and is_ours(fault):
-        said = COLUMNS.sub(r"\1 = \2 below [columns] in its sidecar", str(fault))
+        said = COLUMN.sub(r"\1 = \2 below [columns] in its sidecar", str(fault))
         return visible(" ".join(said.split()))
     return (
         "the computation broke down on this recording, which is a fault of exoid "

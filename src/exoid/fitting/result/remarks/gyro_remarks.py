@@ -10,10 +10,9 @@ from exoid.recordings.signal.condition import SMOOTHING
 from exoid.recordings.signal.local_line import local_line
 
 MOST = 0.5  # of the squares by which gyro and encoder differ, that their delay must explain
-UNSTEADY = (
-    0.25  # of a delay, by which it differs from larger to smaller swings: no more than 0.1 of
-)
-# a gyro that is late, 0.3 and more of a thigh that rocks on as the leg's swing becomes smaller
+# Of a delay, by which it differs from larger to smaller swings: no more than 0.1 of a gyro that is
+# late, 0.3 and more of a thigh that rocks on as the leg's swing becomes smaller.
+UNSTEADY = 0.25
 FILTERED = 0.01  # s, from where on a filter, which delays and smooths, shows another motion
 
 
