@@ -77,11 +77,14 @@ def again(heard) -> np.ndarray:
 
 
 def told_at(heard, again) -> tuple[np.ndarray, np.ndarray]:
-    """Which of the times were told, and by which row of `again`: the counter says it."""
+    """Which of the times were told, and by which row of `again`: the counter says it.
+
+    The first may tell of the tick in which the host began to listen: before all that it heard.
+    """
     first = heard["EXO_STATE"]["Counter"][0]
     told = np.unwrap(heard["EXO_LEARNING"]["Counter"], period=256)
-    rows = (told - told[0]) + (told[0] - first) % 256
-    inside = np.flatnonzero(rows < again.size)
+    rows = (told - told[0]) + (told[0] - first + 128) % 256 - 128
+    inside = np.flatnonzero((rows >= 0) & (rows < again.size))
     return inside, rows[inside]
 
 
