@@ -12,7 +12,11 @@ import numpy as np
 from benchmarks.people import ANGLE_NOISE, KINDS, VELOCITY_NOISE, Person, drop, person
 
 from exoid.fitting.estimate import fit
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 NAMES = ("mass", "com_distance", "inertia", "damping", "stiffness")
 INTERVAL = 1.96  # standard errors

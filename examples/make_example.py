@@ -24,7 +24,9 @@ import numpy as np
 import exoid
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
-from exoid.recordings.recording import Protocol, Recording, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.recording import Recording
 from exoid.recordings.sidecar import read_sidecar, write_sidecar
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import session

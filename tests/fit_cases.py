@@ -13,7 +13,11 @@ from exoid.physics.leg import GRAVITY, LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.state import LegState
 from exoid.physics.torque import CycleTorque, NoTorque
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 

@@ -5,7 +5,11 @@ from functools import cache
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 ADULT = (27.5, 6.0, 0.8)  # m l g / J and c / J [1/s^2], d / J [1/s]
 CHILD = (45.0, 9.0, 1.2)

@@ -8,7 +8,7 @@ from cantools.database import load_file
 from cantools.database.can import Database
 
 from exoid.recordings.can.dbc import EXOID_DBC
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 
 TICK_US = 10_000  # us of the device clock between samples
 TICKS_PER_TIME = 10  # EXO_TIME comes every tenth tick, half a tick after it

@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 from hands import Knee
 
 CHILD, ADULT = Knee(40.0, 12.0, 1.55), Knee(27.5, 6.0, 1.1)

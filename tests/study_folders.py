@@ -7,7 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from exoid.recordings.recording import Recording, known
+from exoid.recordings.declared.entry import known
+from exoid.recordings.recording import Recording
 
 HANGING = -np.pi / 2  # rad
 VISITS = [f"P0{p}/{when}/{side}_{k}.csv" for p in (1, 2) for when in ("pre", "post")

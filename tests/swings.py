@@ -9,7 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 HOLD = 1.0  # s held still before the release
 NOISE = 0.0009  # rad, of an AS5600 with its steps

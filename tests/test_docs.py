@@ -18,7 +18,11 @@ import numpy as np
 import pytest
 
 from exoid.cli import app
-from exoid.recordings.recording import Protocol, Segment, Sensors, Subject, known
+from exoid.recordings.declared.entry import known
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.sidecar import read_sidecar
 
 COMMANDS = {name: app.load(name) for name in app.COMMANDS}

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import exoid
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.formats.own_table import write_table
-from exoid.recordings.recording import Subject
 from exoid.twin.motion import Movement
 from fit_cases import recorded
 

@@ -12,7 +12,8 @@ import jax
 import numpy as np
 from scipy.optimize import brentq
 
-from exoid.recordings.recording import Recording, Segment
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 from .deck import Card
 from .effects import Effect, draw_effect

@@ -9,7 +9,9 @@ import numpy as np
 from exoid.physics.anatomy import Expected, expected_leg, reach
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
-from exoid.recordings.recording import Protocol, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from exoid.twin.motion import FrequencyReading, Movement
 from exoid.twin.sensors import Encoder, Gyroscope, SensorKit
 

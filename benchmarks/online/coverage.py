@@ -9,7 +9,7 @@ from benchmarks.online import rivals, world
 import exoid
 from exoid import online
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 
 SUBJECT = Subject(kind="leg", body_mass=77.0, height=1.80)
 RATIOS = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from exoid.recordings.recording import Sensors
+from exoid.recordings.declared.sensors import Sensors
 
 from .world import CAMERA, EXOSKELETON, Act
 

@@ -12,7 +12,8 @@ from exoid.fitting.model.constraint import violations
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.planning.plan import plan
 from exoid.planning.planned import Candidate, Plan
-from exoid.recordings.recording import Recording, Subject
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.recording import Recording
 
 from .situations import Situation
 from .world import Act, recorded

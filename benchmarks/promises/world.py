@@ -6,7 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 from benchmarks.pendulum import Leg, still, swing
 
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 RATE = 100.0  # Hz
 

@@ -9,7 +9,8 @@ from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.constraint import violations
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.physics.leg import LegParameters
-from exoid.recordings.recording import Recording, Subject
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.recording import Recording
 
 SUBJECT = Subject(kind="leg", body_mass=74.0, height=1.78)
 LASTS = 2.0  # s

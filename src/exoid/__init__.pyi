@@ -27,10 +27,14 @@ from .physics.torque import CycleTorque, MeasuredTorque, NoTorque
 from .planning.plan import plan
 from .planning.plan_between import plan_between
 from .planning.planned import Contrast, Plan
+from .recordings.declared.protocol import Protocol
+from .recordings.declared.sensors import Sensors
+from .recordings.declared.subject import Subject
 from .recordings.formats.own_table import write_table
 from .recordings.loading.from_memory import recording
 from .recordings.loading.load import load
-from .recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from .recordings.measured.segment import Segment
+from .recordings.recording import Recording
 from .report.plots.diagnosis import plot_diagnosis
 from .report.plots.drops import plot_drops
 from .report.plots.fit import plot_fit

@@ -9,7 +9,8 @@ import numpy as np
 
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
-from exoid.recordings.recording import Recording, Subject
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.recording import Recording
 from exoid.recordings.sidecar import write_sidecar
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import session as perform

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from command_line import refusal
 
+from exoid.recordings.declared.entry import known
 from exoid.recordings.loading.load import load
-from exoid.recordings.recording import known
 
 
 def assert_same(one, other) -> None:

@@ -14,8 +14,12 @@ from command_line import refusal
 from exoid.cli.commands.diagnose import telling_apart
 from exoid.cli.inputs.again import again
 from exoid.mismatch.answer.diagnosis import Suspect
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.formats.own_table import write_table
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 TERMS = '''
 from typing import Any, ClassVar

@@ -11,8 +11,8 @@ import pytest
 from command_line import SCRIPT, refusal
 from sessions import RATIOS
 
+from exoid.recordings.declared.entry import known
 from exoid.recordings.loading.load import load
-from exoid.recordings.recording import known
 from exoid.recordings.sidecar import TABLES, read_sidecar
 from exoid.report.saved.saved_result import load_result
 

@@ -13,8 +13,8 @@ from exoid.cli.live.session import Session
 from exoid.cli.live.watched import Watched
 from exoid.cli.live.weighing import UNMARKED, Weighing
 from exoid.online.model.trust import Phase, Trust
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.live.log_file import Unkept
-from exoid.recordings.recording import Subject
 from exoid.watching.beside.goals import goal_of
 from exoid.watching.beside.movement import Movement
 from exoid.watching.beside.next_movement import Advice

@@ -17,9 +17,10 @@ from exoid.cli.commands.fit import fit
 from exoid.cli.commands.plan import plan
 from exoid.cli.commands.report import report
 from exoid.cli.terminal.options import as_options
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.loading.load import load
-from exoid.recordings.recording import Segment, Subject
+from exoid.recordings.measured.segment import Segment
 from legs import CHILD, drop, recording
 
 RIGHT = drop(duration=4.0)

@@ -13,9 +13,9 @@ import exoid.cli
 from exoid.cli.inputs.reading import take_all
 from exoid.cli.terminal.screen import Screen
 from exoid.files.visible import visible
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.loading.named import named_recordings
-from exoid.recordings.recording import Subject
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.text import aligned, heading, note
 from legs import drop, recording

@@ -16,7 +16,7 @@ import numpy as np
 from firmware_tools import QEMU, make, need
 
 from exoid.recordings.can.dbc import exoid_messages
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 
 TURN = 4096  # counts
 FULL_SCALE = (-32768, 32767)  # counts of a 16-bit register

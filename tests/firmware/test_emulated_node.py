@@ -20,7 +20,7 @@ from exoid.recordings.can.dbc import exoid_messages
 from exoid.recordings.can.decode import raw_values
 from exoid.recordings.can.node.config_crc import config_crc
 from exoid.recordings.can.node.samples import STATUS
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 
 SAMPLED = (0x101, 0x102, 0x103)  # the frames of one tick
 FRAMES = 300  # of these, in one second

@@ -7,7 +7,11 @@ from learner_runs import Ticks, told_by_numpy
 from simulated_legs import FINER, GYRO_STEP, TICK, Legs, caught, held, joined, moved
 
 import exoid
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 LEGS = 3
 STARTS = (-0.3, 0.0)  # rad

@@ -9,7 +9,10 @@ import exoid
 from exoid.fitting.amount.manageable import DIAGNOSED, Amount, manageable
 from exoid.fitting.amount.part import parts_of
 from exoid.fitting.movements import movements_in
-from exoid.recordings.recording import Protocol, Segment, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
 from legs import ADULT, BODY, drop, recording
 
 FAST = 1e-3  # s

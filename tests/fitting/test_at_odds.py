@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 from legs import recording
 
 STARTS = np.radians([-15.0, -40.0, -25.0, -50.0])

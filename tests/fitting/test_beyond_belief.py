@@ -5,7 +5,10 @@ import pytest
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.mountings import made_up, off
-from exoid.recordings.recording import Protocol, Recording, Segment, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 USUAL = float(np.radians(0.2))
 

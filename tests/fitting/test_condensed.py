@@ -16,7 +16,7 @@ from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.state import LegState
 from exoid.physics.torque import NoTorque
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from fit_cases import UNMOVED, coordinates_of, cycle_torque, exact, leg, one, state
 
 TIME = np.arange(120) * 0.01

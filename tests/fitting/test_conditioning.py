@@ -12,9 +12,10 @@ from exoid.fitting.data.segment import movement
 from exoid.physics.leg import LegModel
 from exoid.physics.state import LegState
 from exoid.physics.torque import NoTorque
+from exoid.recordings.declared.sensors import FILTERS, Sensors
 from exoid.recordings.filter import kalman
 from exoid.recordings.filter.constants import DESIGNS
-from exoid.recordings.recording import FILTERS, Segment, Sensors
+from exoid.recordings.measured.segment import Segment
 from fit_cases import exact, leg, one, state
 
 STEP = 0.01

@@ -12,7 +12,7 @@ from exoid.fitting.model.prior_and_limits import leg_limits, limits_of, paper_bo
 from exoid.physics.anatomy import reach
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from fit_cases import leg
 
 NAMES = [entry.name for entry in fields(LegParameters)]

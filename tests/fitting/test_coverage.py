@@ -24,7 +24,9 @@ from exoid.physics.leg import GRAVITY, LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.state import LegState
 from exoid.physics.torque import CycleTorque, MeasuredTorque, Torque
-from exoid.recordings.recording import Protocol, Recording, Segment
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from fit_cases import BODY, NOISE
 
 pytestmark = pytest.mark.proof

@@ -15,8 +15,11 @@ from exoid.physics.anatomy import expected_leg
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.torque import MeasuredTorque, NoTorque
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.formats.own_table import read_table
-from exoid.recordings.recording import Recording, Segment, Sensors, Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 from fit_cases import BODY, CYCLE, DROP, LOADED, NOISE, exact, leg, one, recorded, state

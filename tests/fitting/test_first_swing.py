@@ -11,7 +11,9 @@ from exoid.fitting.hands.slow_release import of_slow
 from exoid.fitting.movements import movements_of
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.conclude.verdict.begins_and_ends import begins_and_ends, what_next
-from exoid.recordings.recording import Protocol, Recording, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.recording import Recording
 from exoid.report.words.left_out import left_out
 from hands import ADULT, Hand, dropped
 from reflexes import ADULT as GROWN

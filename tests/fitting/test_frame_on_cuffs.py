@@ -6,7 +6,11 @@ from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
 from exoid.physics.terms.device.cuff_compliance import CuffCompliance
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 pytestmark = pytest.mark.proof
 

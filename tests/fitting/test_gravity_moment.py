@@ -8,7 +8,7 @@ import pytest
 from exoid.fitting.each_segment import fit_each
 from exoid.fitting.estimate import fit
 from exoid.physics.leg import GRAVITY
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from fit_cases import DROP, LOADED, leg, recorded
 
 TRUE = float(leg().mass * leg().com_distance) * GRAVITY  # N m

@@ -5,7 +5,7 @@ import pytest
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.multistart.gross_errors import variances
-from exoid.recordings.recording import Sensors
+from exoid.recordings.declared.sensors import Sensors
 from legs import ADULT, CHILD, drop, recording
 
 

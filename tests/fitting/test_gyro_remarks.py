@@ -16,7 +16,9 @@ from exoid.fitting.result.remarks.gyro_remarks import (
     scale_of,
 )
 from exoid.physics.sensing.butterworth_filter import ButterworthFilter
-from exoid.recordings.recording import Protocol, Recording, Segment
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from hands import ADULT, Device, Hand, dropped
 
 MIDDLE, SIZE, DECAY, RATE = -1.3, 0.9, 0.4, 5.5  # rad, rad, 1/s, rad/s

@@ -9,7 +9,10 @@ from scipy.integrate import solve_ivp
 from exoid.fitting.estimate import fit
 from exoid.fitting.hands.last_instants import ended, swung
 from exoid.fitting.movements import movements_of
-from exoid.recordings.recording import Protocol, Recording, Segment, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from hands import ADULT, Device, Hand, Knee, dropped
 
 STIFF = Knee(27.0, 30.0, 2.0)

@@ -8,7 +8,11 @@ from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.remarks.torque_zero import variance_left
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.trust.identify import identify
 from fit_cases import DROP, recorded
 

@@ -14,7 +14,7 @@ from exoid.physics.torque import NoTorque
 from exoid.recordings.can.node.config_crc import EARLIER, config_crc
 from exoid.recordings.filter import kalman
 from exoid.recordings.filter.constants import DESIGNS, UNTOLD, Design
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 from exoid.twin import protocols
 from exoid.twin.motion import Movement
 from exoid.twin.sensors import AS_BUILT

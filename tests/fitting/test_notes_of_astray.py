@@ -11,7 +11,8 @@ from exoid.fitting.estimate import fit
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.result.refused.notes import of_causes, of_rests, of_sensors, of_swing
 from exoid.fitting.result.refused.without_numbers import REFUSED, without_numbers
-from exoid.recordings.recording import Protocol, Segment
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.measured.segment import Segment
 from fit_cases import BODY, DROP, recorded
 from legs import balance_of, drop, recording
 

@@ -10,7 +10,10 @@ from exoid.fitting.data.segment import movement
 from exoid.fitting.model.systematics import SOMEWHERE
 from exoid.physics.leg import LegModel
 from exoid.physics.torque import NoTorque
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from fit_cases import BODY, NOISE, cycle_torque, exact, leg, one, state
 
 TIME = np.arange(120) * 0.01

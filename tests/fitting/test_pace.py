@@ -18,7 +18,11 @@ from exoid.fitting.multistart.starts import usual_mounting
 from exoid.fitting.solve.pose import pose
 from exoid.physics.leg import LegModel
 from exoid.physics.torque import NoTorque
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from fit_cases import exact, leg, one, state
 
 RIG = Subject(kind="rig", gravity="none")

@@ -16,7 +16,7 @@ from exoid.fitting.estimate import fit
 from exoid.fitting.misfit.uncertainty import whitening
 from exoid.fitting.model.systematics import TILT, WEIGHED
 from exoid.physics.leg import GRAVITY
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from fit_cases import CYCLE, DROP, LOADED, recorded
 
 pytest.importorskip("blackjax")

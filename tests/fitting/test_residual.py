@@ -15,9 +15,10 @@ from exoid.fitting.model.coordinates import Unknowns
 from exoid.physics.leg import LegModel
 from exoid.physics.state import LegState
 from exoid.physics.torque import MeasuredTorque, NoTorque
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.filter import kalman
 from exoid.recordings.filter.constants import UNBIASED
-from exoid.recordings.recording import Recording, Subject
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import moving_average
 from fit_cases import UNMOVED, coordinates_of, cycle_torque, exact, leg, one, simulated, state
 

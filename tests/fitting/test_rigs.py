@@ -9,7 +9,9 @@ import pytest
 from exoid.fitting.estimate import fit
 from exoid.physics.leg import GRAVITY, LegModel
 from exoid.physics.torque import MeasuredTorque, NoTorque
-from exoid.recordings.recording import Protocol, Recording, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.recording import Recording
 from fit_cases import NOISE, exact, leg, state
 
 TIME = np.arange(600) * 0.01

@@ -16,7 +16,7 @@ from exoid.physics.term import Term
 from exoid.physics.terms.device.cuff_compliance import CuffCompliance
 from exoid.physics.terms.device.sticking_backlash import StickingBacklash
 from exoid.physics.torque import NoTorque
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 from fit_cases import leg, one, state
 from hands import Device, Hand, dropped
 

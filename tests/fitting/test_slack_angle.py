@@ -13,7 +13,8 @@ from exoid.fitting.result.remarks.leaning import BENT, LEANING
 from exoid.fitting.result.remarks.slack_angle import leaning, likely
 from exoid.physics.terms.tissue.end_range_stiffening import EndRangeStiffening
 from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
-from exoid.recordings.recording import Sensors, Subject
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from legs import ADULT, BODY, drop, recording
 
 QUIET, LOUD = (8e-4, 0.0), (0.015, 0.0)  # rad; no gyro

@@ -12,8 +12,11 @@ from exoid.fitting.hands.slow_release import begun
 from exoid.fitting.movements import movements_of
 from exoid.mismatch.conclude.verdict.begins_and_ends import begins_and_ends, what_next
 from exoid.mismatch.prepare import prepare
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.loading.named import named_recordings
-from exoid.recordings.recording import Protocol, Recording, Segment, Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from hands import ADULT, Hand, Knee, dropped
 
 TRUTH = ("gravity", "stiffness", "damping")

@@ -16,7 +16,7 @@ from exoid.fitting.multistart.starts import check_draw, coordinates, draw, first
 from exoid.fitting.multistart.tethers import within_reach
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from fit_cases import cycle_torque, exact, leg, one, state
 
 TIME = np.arange(120) * 0.01

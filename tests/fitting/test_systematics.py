@@ -17,7 +17,9 @@ from exoid.fitting.result.limiting_systematics import (
     what_to_do,
 )
 from exoid.physics.sensing.clock_rate import ClockRate
-from exoid.recordings.recording import Protocol, Recording, Segment
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from fit_cases import BODY, NOISE
 
 LEG = {"inertia": 0.42, "gravity": 27.0, "stiffness": 6.2, "damping": 0.8}  # kg m^2, over J

@@ -5,7 +5,7 @@ from scipy.integrate import solve_ivp
 
 from exoid.fitting.errors.profile import profiles
 from exoid.fitting.estimate import fit
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 from legs import recording
 
 GRAVITY = 9.80665  # m/s^2

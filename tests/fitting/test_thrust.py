@@ -10,7 +10,9 @@ from exoid.fitting.hands.thrust import pushed_by, thrust
 from exoid.fitting.movements import movements_of
 from exoid.mismatch.conclude.verdict.begins_and_ends import begins_and_ends, what_next
 from exoid.physics.ratios import Ratios
-from exoid.recordings.recording import Protocol, Recording, Segment
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from legs import BODY
 
 GRAVITY, STIFFNESS, DAMPING = 26.4, 2.4, 0.7

@@ -5,7 +5,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
-from exoid.recordings.recording import Protocol, Recording, Segment
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from fit_cases import BODY
 
 GRAVITY, SPRING, DAMPING = 27.0, 4.0, 0.6  # m l g / J and c / J [1/s^2], d / J [1/s]

@@ -20,7 +20,10 @@ from exoid.fitting.result.remarks.anatomy_remarks import at_rate, length_of, of_
 from exoid.fitting.result.remarks.leaning import LEANING, Leaning
 from exoid.fitting.result.remarks.scale_remarks import POUND, away, of_scale
 from exoid.physics.leg import GRAVITY
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from fit_cases import BODY, DROP, LOADED, recorded
 from legs import drop, recording
 

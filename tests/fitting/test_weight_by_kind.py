@@ -8,7 +8,11 @@ from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.agreement import of_the_rest
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.trust.identify import identify
 
 BODY = Subject(kind="leg", body_mass=74.0, height=1.78)

@@ -10,10 +10,14 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from exoid.recordings.columns import IN_DEGREES, NUMERIC
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.flat_table import flat
 from exoid.recordings.formats.own_table import read_table, write_table
 from exoid.recordings.formats.sheets import read_sheet
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.tables.sheet import Sheet
 
 from .draw import text
@@ -40,7 +44,7 @@ def own_samples() -> tuple[Sample, ...]:
 
 def read_own(path: Path) -> Reading:
     recording, notes = read_table(path)
-    numbers = {k: v for k, v in flat(recording).items() if isinstance(v, np.ndarray)}
+    numbers = {k: v for k, v in flat(recording.segments).items() if isinstance(v, np.ndarray)}
     said = (note.removeprefix(f"{path}: ") for note in notes if "does not exist" not in note)
     return Reading(numbers, tuple(said))
 

@@ -18,7 +18,11 @@ from exoid.physics.leg import LegModel
 from exoid.physics.term import PhysicsTerm
 from exoid.physics.terms.device.hard_stop import HardStop
 from exoid.physics.torque import NoTorque
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 from fit_cases import BODY, CYCLE, DROP, leg

@@ -15,7 +15,9 @@ from exoid.physics.parameter import parameter
 from exoid.physics.term import Memory, PhysicsTerm
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.torque import NoTorque
-from exoid.recordings.recording import Protocol, Recording, Segment
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from fit_cases import BODY, NOISE, cycle_torque, leg, state
 
 FRICTION = CoulombFriction(jnp.asarray(0.08))

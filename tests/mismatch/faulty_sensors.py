@@ -11,7 +11,11 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.signal import butter, lsim
 
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from hands import ADULT, Hand, Knee, motion
 
 BODY = Subject(kind="leg", body_mass=74.0, height=1.78)

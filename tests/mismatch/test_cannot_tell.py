@@ -14,7 +14,7 @@ from exoid.mismatch.conclude.verdict.cannot_tell import chance, faint, luck, unl
 from exoid.mismatch.conclude.verdict.in_few_segments import alone_in, why
 from exoid.mismatch.novel.dictionary import dictionary
 from exoid.mismatch.novel.formula import Formula
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.twin.motion import Movement
 from fit_cases import recorded
 

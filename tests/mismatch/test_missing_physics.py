@@ -14,7 +14,9 @@ from exoid.physics.sensing.angle_offset import AngleOffset
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
-from exoid.recordings.recording import Recording, Segment, Subject
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from small_library import SMALL
 
 

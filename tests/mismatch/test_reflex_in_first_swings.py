@@ -4,7 +4,11 @@ import numpy as np
 import pytest
 
 from exoid.mismatch.missing_physics import diagnose
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 pytestmark = pytest.mark.proof
 

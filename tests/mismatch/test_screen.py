@@ -27,7 +27,9 @@ from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.device.sticking_backlash import StickingBacklash
 from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
 from exoid.physics.torque import NoTorque
-from exoid.recordings.recording import Protocol, Recording, Segment
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from fit_cases import BODY, NOISE, leg, state
 from small_library import SMALL
 

@@ -7,7 +7,10 @@ from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen.optimise import given, settle
 from exoid.mismatch.search.search import ROUNDS, beginning
 from exoid.physics.terms.muscle.stretch_reflex import StretchReflex
-from exoid.recordings.recording import Protocol, Recording, Segment, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from hands import Knee
 from reflexes import stretched
 

@@ -9,7 +9,7 @@ from exoid.fitting.result.mountings import numbers_at
 from exoid.fitting.result.remarks.leaning import BENT
 from exoid.fitting.result.remarks.slack_angle import leaning
 from exoid.mismatch.missing_physics import diagnose
-from exoid.recordings.recording import Sensors
+from exoid.recordings.declared.sensors import Sensors
 from legs import ADULT, BODY, drop, recording
 
 LOUD = (0.015, 0.0)  # rad; no gyro

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from exoid import online
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 
 SUBJECT = Subject(kind="leg", body_mass=77.0, height=1.80)
 RATIOS = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")

@@ -8,7 +8,9 @@ from benchmarks.online import world
 
 from exoid import online
 from exoid.cli.live.replay import of_recording
-from exoid.recordings.recording import Recording, Segment, Subject
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.watching.estimate.expect import expected_of
 from exoid.watching.estimate.leg import Leg, LegDrop, Person
 from exoid.watching.estimate.load import Load

@@ -9,7 +9,9 @@ from scipy.signal import butter, filtfilt
 import exoid
 from exoid import online
 from exoid.online.recorded import is_smoothed
-from exoid.recordings.recording import Recording, Segment, Subject
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from fit_cases import DROP, LOADED, recorded
 from reflexes import ADULT, thrown
 

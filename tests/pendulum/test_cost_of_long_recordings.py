@@ -13,9 +13,12 @@ import pytest
 from exoid.pendulum.drops import measure_drops
 from exoid.recordings.conventions import balance
 from exoid.recordings.conventions.apply import understand
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.landmarks import local_polynomial
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion import find_free
-from exoid.recordings.recording import Protocol, Recording, Segment, Subject
+from exoid.recordings.recording import Recording
 from exoid.recordings.remembered import remembered
 from exoid.recordings.splitting.split import cut_table
 from swings import NOISE, Oscillator, drop

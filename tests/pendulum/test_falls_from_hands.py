@@ -6,7 +6,10 @@ from scipy.integrate import solve_ivp
 from scipy.stats import chi2
 
 from exoid.pendulum.drops import measure_drops
-from exoid.recordings.recording import Protocol, Recording, Segment, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from hands import ADULT
 
 RATE, HOLD, LASTING = 100.0, 1.5, 12.0  # Hz, s, s

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from exoid.pendulum.drops import measure_drops
-from exoid.recordings.recording import Recording, Sensors
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.recording import Recording
 from legs import drop, fall, recording
 
 STARTS = -0.35

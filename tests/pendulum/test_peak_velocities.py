@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from exoid.pendulum.drops import measure_drops
-from exoid.recordings.recording import Protocol, Recording
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.recording import Recording
 from reflexes import ADULT, CHILD, START, measured, swung
 
 MANY = 8  # drops of a leg

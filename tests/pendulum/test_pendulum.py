@@ -9,9 +9,11 @@ import pytest
 from scipy.optimize import brentq, minimize_scalar
 
 from exoid.pendulum.drops import measure_drops
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.landmarks.rest import BAND
 from exoid.recordings.loading.load import load
-from exoid.recordings.recording import Protocol, Recording, Subject
+from exoid.recordings.recording import Recording
 from swings import HOLD, NOISE, Oscillator, drop, recorded
 
 LEGS = {

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from exoid.pendulum.drops import measure_drops
-from exoid.recordings.recording import Protocol, Recording
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import cut
 from reflexes import CHILD, thrown
 

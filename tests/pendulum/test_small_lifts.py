@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 
 from exoid.pendulum.drops import measure_drops
-from exoid.recordings.recording import Recording, Segment, Subject
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.splitting.split import cut_table
 from swings import HOLD, NOISE, Oscillator, recorded
 

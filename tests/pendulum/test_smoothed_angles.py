@@ -7,7 +7,7 @@ import pytest
 from scipy.signal import butter, filtfilt
 
 from exoid.pendulum.drops import measure_drops
-from exoid.recordings.recording import Sensors
+from exoid.recordings.declared.sensors import Sensors
 from swings import NOISE, Oscillator, drop
 
 CAMERA = np.radians(0.3)

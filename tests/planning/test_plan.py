@@ -19,7 +19,7 @@ from exoid.planning.next_mountings import beliefs, next_of
 from exoid.planning.plan import plan
 from exoid.planning.planned import Candidate
 from exoid.planning.prior_knowledge import eliminated, from_result
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.report.tables.plan import as_good, in_one_row, print_plan
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record

@@ -18,7 +18,7 @@ from exoid.planning.next_mountings import deviations_of_next
 from exoid.planning.plan_between import plan_between
 from exoid.planning.planned import Candidate
 from exoid.planning.prior_knowledge import from_anatomy
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 from fit_cases import BODY, leg

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from exoid.recordings.conventions.balance import balance
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 from legs import ADULT, CHILD, SPASTIC, balance_of, drop
 
 GYRO = {"gyro": False, "noise": (0.0, 0.0)}

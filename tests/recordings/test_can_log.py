@@ -14,8 +14,8 @@ from exoid.recordings.can.frames import CanLogError
 from exoid.recordings.can.logs.blf import read_blf
 from exoid.recordings.can.logs.log_files import frames_of, row_of
 from exoid.recordings.can.node.config_crc import config_crc
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.loading.can_log import read_can_log
-from exoid.recordings.recording import Subject
 
 TICKS = 700
 FORMATS = (".blf", ".asc", ".log", ".trc", ".csv", ".mf4")

@@ -7,7 +7,9 @@ import pytest
 from test_noise import NOISE, sampled, swing
 
 import two_bodies
-from exoid.recordings.recording import Recording, Segment, Sensors
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.both_sensors.clean import clean
 from exoid.recordings.signal.tone import find_tone, without_tone
 

@@ -5,8 +5,9 @@ import pytest
 from exo_node import EPOCH, GYRO, Node, knee_angle, knee_velocity, write_log
 
 from exoid.recordings.can.clock_rate import CRYSTALLESS, SURE, clock_rate
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
 from exoid.recordings.loading.can_log import read_can_log
-from exoid.recordings.recording import Protocol, Sensors
 
 COUNT_STEP = np.pi / 4096  # rad; half a count of the encoder
 QUARTZ = 1e-4  # of the host: no node is known better

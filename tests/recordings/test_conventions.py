@@ -7,9 +7,13 @@ import pytest
 
 from exoid.recordings.conventions.apply import understand
 from exoid.recordings.conventions.mounting import REST_SPREAD, RESTS
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.loading.load import load
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.splitting.split import Split, cut_apart
 from legs import ADULT, BODY, CHILD, SPASTIC, balance_of, drop, recording
 

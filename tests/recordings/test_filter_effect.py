@@ -10,7 +10,7 @@ from exo_node import GYRO, Node, knee_angle, knee_velocity, write_log
 from exoid.recordings.filter import kalman
 from exoid.recordings.filter.effect import MATTERS, filter_effect
 from exoid.recordings.loading.can_log import read_can_log
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 
 TIME = np.arange(3000) * 0.01
 COUNT = 2 * np.pi / 4096  # rad

@@ -8,9 +8,13 @@ import numpy as np
 import pytest
 
 from exoid.files.extras import EXTRAS
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.loading.load import load
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 TIME = np.arange(60) * 0.01
 ANGLE = -90 + 70 * np.exp(-TIME) * np.cos(5 * TIME)  # deg, of a leg let go

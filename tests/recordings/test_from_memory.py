@@ -8,8 +8,12 @@ import numpy as np
 import pytest
 
 import exoid
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.loading.named import named_recordings
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 TIME = np.arange(300) * 0.01
 ANGLE = -90 + 70 * np.exp(-TIME) * np.cos(5 * TIME)  # deg, of a leg let go

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from exoid.recordings.conventions.left_out.interpolated import without_interpolated
-from exoid.recordings.recording import Recording, Segment
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from legs import fall
 
 TIME, ANGLE, RATE = fall(duration=5.0)

@@ -4,9 +4,9 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from exoid.recordings.declared.sensors import FILTERS
 from exoid.recordings.filter.constants import DESIGNS, OF_NODE, UNBIASED
 from exoid.recordings.filter.kalman import filter
-from exoid.recordings.recording import FILTERS
 
 STEP = 0.01  # s
 SEEN = np.array([[1.0, 0, 0, 0], [0, 1, 0, 1]])  # the angle; the velocity and the gyro's bias

@@ -6,9 +6,13 @@ import numpy as np
 import pytest
 from exo_node import Node, write_log
 
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.loading.load import load
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.sidecar import write_sidecar
 
 TIME = np.arange(900) * 0.01

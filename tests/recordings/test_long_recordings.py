@@ -5,10 +5,12 @@ import tracemalloc
 import numpy as np
 import pytest
 
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.loading.load import load
+from exoid.recordings.measured.samples import block_means
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.signal import Signal
-from exoid.recordings.recording import Recording, Segment, Subject
-from exoid.recordings.samples import block_means
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.both_sensors.clean import clean
 from exoid.recordings.signal.tone import find_tone, motion
 

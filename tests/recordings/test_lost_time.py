@@ -9,7 +9,7 @@ import pytest
 import exoid
 from exoid.recordings.conventions.left_out.lost_time import TIME_LOST, without_lost_time
 from exoid.recordings.formats.own_table import write_table
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 from exoid.recordings.signal.breaks import breaks
 
 STEP = 0.01

@@ -11,9 +11,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from exoid.recordings.declared.entry import known
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.formats.own_table import read_table, write_table
 from exoid.recordings.loading.load import load
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject, known
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.sidecar import read_sidecar, write_sidecar
 
 DATA = Path(__file__).parents[3] / "shared" / "data"

@@ -7,8 +7,13 @@ import sys
 import numpy as np
 import pytest
 
-from exoid.recordings.recording import BadSample, Protocol, Recording, Segment, Sensors, Subject
-from exoid.recordings.unit_hint import unit_hint
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.declared.unit_hint import unit_hint
+from exoid.recordings.measured.bad_sample import BadSample
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 
 def swing(count=5, **channels):

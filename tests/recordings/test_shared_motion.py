@@ -7,7 +7,8 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.signal import butter, filtfilt
 
-from exoid.recordings.recording import Recording, Segment
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.both_sensors.clean import Cleaned, clean
 from exoid.recordings.signal.both_sensors.leg_tone import leg_tone, swing_of
 

@@ -7,7 +7,9 @@ from scipy.ndimage import median_filter
 from scipy.stats import chi2
 
 from exoid.recordings.chi_square import chance_above, median_of
-from exoid.recordings.recording import Recording, Segment, Subject
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal import spline
 from exoid.recordings.signal.both_sensors.clean import clean
 from exoid.recordings.signal.tone import AROUND, standing_out

@@ -17,8 +17,12 @@ from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.torque import NoTorque
 from exoid.planning.plan import plan
 from exoid.recordings.can.quality import FrameCounts, LogQuality
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.loading.load import load
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.report.parts.case import Case, Source
 from exoid.report.parts.origin import Origin
 from exoid.trust.identify import identify

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from exoid.recordings.recording import Segment, Sensors
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.segment import Segment
 from exoid.report.parts.appraisal import appraise
 
 TIME = np.arange(101) / 100

@@ -10,7 +10,9 @@ from rich.console import Console
 
 from exoid.pendulum.drop import PendulumTest
 from exoid.pendulum.drops import measure_drops
-from exoid.recordings.recording import Protocol, Recording, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.recording import Recording
 from exoid.report.document.drops_json import drops_document
 from exoid.report.pictures.drops import index
 from exoid.report.plots.drops import plot_drops

@@ -16,7 +16,7 @@ from test_saved_result import check_same
 from exoid.files.visible import visible
 from exoid.fitting.misfit.uncertainty import Shares
 from exoid.pendulum.drops import measure_drops
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.report.document.diagnosis_json import diagnosis_document
 from exoid.report.document.fit_json import fit_document
 from exoid.report.figures.marks import MOST

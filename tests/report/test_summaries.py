@@ -10,7 +10,10 @@ from test_fit_json import fitted
 
 from exoid.pendulum.catalogue import MEASURES
 from exoid.pendulum.drops import measure_drops
-from exoid.recordings.recording import Protocol, Recording, Segment, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.studies.dataset.entry import Entry, Participant
 from exoid.studies.engine.kept.item import Item
 from exoid.studies.engine.kept.measured import Measured

@@ -11,7 +11,8 @@ from exoid.fitting.estimate import fit
 from exoid.physics.leg import LegModel
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.torque import NoTorque
-from exoid.recordings.recording import Recording, Subject
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.recording import Recording
 from exoid.studies.batch.fit_many import fit_many
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record

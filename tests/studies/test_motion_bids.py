@@ -6,7 +6,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.studies.dataset.motion_bids.read_motion import read_motion
 from exoid.studies.dataset.motion_bids.write_motion import write_motion
 from study_folders import same

@@ -5,8 +5,8 @@ import json
 import numpy as np
 import pytest
 
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.rate import rate_of
-from exoid.recordings.recording import Segment
 from exoid.studies.dataset.motion_bids.labels import beside
 from exoid.studies.dataset.motion_bids.write_motion import write_motion
 from exoid.studies.dataset.open_dataset import open_dataset

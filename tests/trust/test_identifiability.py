@@ -8,7 +8,7 @@ import pytest
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.fit_result import RIVALS, Estimate
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 from exoid.trust.directions import in_words
 from exoid.trust.identify import identify, scale_remark
 from exoid.trust.reversal import reversals

@@ -11,7 +11,8 @@ from cantools.database import load_file
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
 from exoid.recordings.can.dbc import EXOID_DBC
-from exoid.recordings.recording import Protocol, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.signal.condition import best_velocity
 from exoid.recordings.splitting.split import split
 from exoid.twin.motion import Movement, perform

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.watching.estimate.load import Mass
 
 # What the bundled session was simulated with.

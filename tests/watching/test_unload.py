@@ -5,7 +5,7 @@ import pytest
 
 from exoid.physics.anatomy import expected_leg
 from exoid.physics.leg import GRAVITY
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.watching.estimate.load import Mass
 from exoid.watching.estimate.unload import Told, unloaded, unloading, with_mass
 

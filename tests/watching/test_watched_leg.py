@@ -10,7 +10,7 @@ from bundled_session import LIKELY, LOADED, SUBJECT, TRUTH, WEIGHT, nan_equal, u
 from exoid.online.model.trust import Phase, Trust
 from exoid.online.model.unknowns import Unknowns
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.watching.estimate.expect import expected_of, is_known
 from exoid.watching.estimate.left_out import LeftOut
 from exoid.watching.estimate.leg import Leg, LegDrop

@@ -11,7 +11,11 @@ from exoid.online.model.model import Model
 from exoid.online.model.sample import Sample
 from exoid.online.outlook import Outlook
 from exoid.physics.sensing.sensor_skew import SensorSkew
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 if TYPE_CHECKING:
     from exoid.fitting.result.fit_result import FitResult

@@ -7,8 +7,9 @@ import numpy as np
 from exoid.online.model.model import Node
 from exoid.online.model.sample import Sample
 from exoid.recordings.conventions.thin import of_means
-from exoid.recordings.recording import Recording, Segment
-from exoid.recordings.samples import block_size, usual_step
+from exoid.recordings.measured.samples import block_size, usual_step
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.noise import OF_ANGLE, OF_RATE, noise_of
 
 PAUSE = 1.0  # s between segments, each of which has a clock of its own

@@ -7,7 +7,7 @@ from exoid.pendulum import summary
 from exoid.recordings.landmarks.landmarks import Landmarks
 from exoid.recordings.landmarks.measure import Measure
 from exoid.recordings.landmarks.swing import Curve
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,7 +4,7 @@ import numpy as np
 
 from exoid.recordings.landmarks.landmarks import Landmarks
 from exoid.recordings.landmarks.track import HALF, SURE
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 from exoid.recordings.signal.condition import MOTION_SPEED
 
 SLOW = 0.1  # of the fastest flexion before and after it, of a leg that halts

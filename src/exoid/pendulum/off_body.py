@@ -11,9 +11,11 @@ from exoid.pendulum.off_clock import by_clock
 from exoid.physics.anatomy.expect import expected_leg
 from exoid.recordings.can.units import GRAVITY
 from exoid.recordings.conventions.balance import balance
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.landmarks.measure import Measure
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.drops import find_drop
-from exoid.recordings.recording import Recording, Segment, Subject
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.both_sensors.sensor_scales import FARTHEST, SUSPECTED
 from exoid.recordings.signal.condition import cut
 

@@ -8,8 +8,9 @@ have them, and nothing is said of those; beyond that a clock is about as likely.
 from dataclasses import replace
 from math import hypot
 
+from exoid.recordings.declared.sensors import Sensors
 from exoid.recordings.landmarks.measure import Measure
-from exoid.recordings.recording import Segment, Sensors
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.signal.both_sensors.apart_in_scale import apart_in_scale
 from exoid.recordings.signal.both_sensors.sensor_scales import FARTHEST, GYRO_SCALE, SUSPECTED
 

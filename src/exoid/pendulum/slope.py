@@ -15,7 +15,7 @@ from exoid.recordings.landmarks.dying_swing import BENT, swings_of
 from exoid.recordings.landmarks.expected_rest import band
 from exoid.recordings.landmarks.rest import last_period
 from exoid.recordings.landmarks.track import SURE, Peak, Track
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 
 STEADY = np.radians(0.01)  # rad/s, by which either is off beside noise: bends, the steps of counts
 LARGEST = np.radians(25.0)  # rad, of a swing about whose middle gravity bends as its square

@@ -14,7 +14,7 @@ from exoid.fitting.model.coordinates import TYPICAL
 from exoid.fitting.model.systematics import SOMEWHERE, Systematics, in_common
 from exoid.planning.planned import Candidate
 from exoid.planning.prior_knowledge import PriorKnowledge, eliminated
-from exoid.recordings.recording import Sensors
+from exoid.recordings.declared.sensors import Sensors
 
 NONE = np.zeros(0)
 

@@ -11,7 +11,7 @@ from exoid.planning.candidate_recordings import candidates, moving
 from exoid.planning.expected_information import ENOUGH, Design, informations
 from exoid.planning.planned import Candidate, Option, Plan
 from exoid.planning.prior_knowledge import PriorKnowledge, from_anatomy, from_result
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.trust.legs import strangers
 
 

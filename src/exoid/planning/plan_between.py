@@ -15,7 +15,7 @@ from exoid.planning.expected_odds import RivalFit, probability, rival_fit
 from exoid.planning.odds_at_hand import odds_at_hand, told_already
 from exoid.planning.planned import Candidate, Contrast, Telling
 from exoid.planning.prior_knowledge import PriorKnowledge, from_result
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 
 MOST = 3  # segments of a proposed recording
 SURE = 0.95  # a probability that needs no further segment

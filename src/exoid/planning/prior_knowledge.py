@@ -31,7 +31,8 @@ from exoid.fitting.solve.ask import take
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.term import Term
-from exoid.recordings.recording import Sensors, Subject
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from exoid.twin.sensors import SensorKit
 
 LEG = 5  # coordinates of the leg: those that it owns and log m

@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 from math import pi
 
-from exoid.recordings.recording import Segment, known
+from exoid.recordings.declared.entry import known
+from exoid.recordings.measured.segment import Segment
 
 CHANNELS = {entry.metadata["column"]: entry.name for entry in known(Segment)}
 UNITS = {entry.metadata["column"]: entry.metadata["unit"] for entry in known(Segment)}

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from exoid.files.text_file import Notes
-from exoid.recordings.recording import known
+from exoid.recordings.declared.entry import known
 from exoid.recordings.sidecar import TABLES, keys_beside, read_columns, read_keys
 
 DEFAULTS = "defaults.toml"  # a sidecar of all recordings of a study at or below its folder

@@ -1,4 +1,4 @@
-"""A recording as the columns of one table, in exoid's own words and SI."""
+"""Segments as the columns of one table, in exoid's own words and SI."""
 
 from itertools import chain
 from typing import Any
@@ -7,15 +7,14 @@ import numpy as np
 
 from exoid.files.extras import require
 from exoid.recordings.columns import CHANNELS, SEGMENT
-from exoid.recordings.recording import Recording
+from exoid.recordings.measured.segment import Segment
 
 
-def flat(recording: Recording) -> dict[str, Any]:
+def flat(segments: tuple[Segment, ...]) -> dict[str, Any]:
     """`time_s`, `segment`, the channels that were measured, NaN where one was not, and the rest.
 
     **Raises** `ValueError` where an unknown column has the name of a known one.
     """
-    segments = recording.segments
     sizes = [each.time.size for each in segments]
     measured = [each.channels() for each in segments]
     columns: dict[str, Any] = {
@@ -42,9 +41,9 @@ def flat(recording: Recording) -> dict[str, Any]:
     return time | columns | texts
 
 
-def frame_of(recording: Recording) -> Any:
+def frame_of(segments: tuple[Segment, ...]) -> Any:
     """The same as a data frame of pandas."""
     require("pandas", "a data frame is made")
     import pandas
 
-    return pandas.DataFrame(flat(recording))
+    return pandas.DataFrame(flat(segments))

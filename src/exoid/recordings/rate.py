@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 
 GAP = 1.5  # of the usual step, beyond which samples are missing
 

@@ -11,7 +11,11 @@ import numpy as np
 
 from exoid.files.replacing import replace_files
 from exoid.files.text_file import Notes, naming, near, read_text
-from exoid.recordings.recording import Protocol, Sensors, Subject, check_entry, known
+from exoid.recordings.declared.check_entries import check_entry
+from exoid.recordings.declared.entry import known
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 
 TABLES = {"subject": Subject, "protocol": Protocol, "sensors": Sensors}
 FOR_FITS = "fit"  # the table of what is fixed, bounded or expected; a fit reads and checks it

@@ -15,18 +15,12 @@ def line(recording: Any) -> str:
     kinds = Counter(recording.kind(number) or "of unknown kind" for number in range(len(segments)))
     parts = [
         f"{count} ({', '.join(f'{each} {kind}' for kind, each in kinds.items())})",
-        f"{sum(duration(each) for each in segments):.1f} s",
+        f"{sum(each.duration for each in segments):.1f} s",
         f"{sum(each.time.size for each in segments)} samples",
         " + ".join(dict.fromkeys(name for each in segments for name in [*each.channels()][1:])),
         subject(recording.subject),
     ]
     return f"<Recording: {', '.join(parts)}>"
-
-
-def segment_line(segment: Any) -> str:
-    """Its length and its channels."""
-    names = " + ".join([*segment.channels()][1:])
-    return f"<Segment: {duration(segment):.2f} s, {segment.time.size} samples, {names}>"
 
 
 def page(recording: Any) -> str:
@@ -35,7 +29,7 @@ def page(recording: Any) -> str:
         (
             number,
             recording.kind(number) or "",
-            f"{duration(each):.2f}",
+            f"{each.duration:.2f}",
             each.time.size,
             f"{recording.added_mass(number):g}",
             span(each),
@@ -54,10 +48,6 @@ def subject(one: Any) -> str:
         if value is not None
     ]
     return ", ".join([one.kind or "subject unknown", *known])
-
-
-def duration(segment: Any) -> float:
-    return float(segment.time[-1] - segment.time[0])
 
 
 def span(segment: Any) -> str:

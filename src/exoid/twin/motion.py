@@ -19,7 +19,7 @@ from exoid.physics.motion.with_terms import delayed, errors, sticky
 from exoid.physics.state import LegState
 from exoid.physics.term import SensorTerm
 from exoid.physics.torque import CycleTorque, NoTorque
-from exoid.recordings.recording import Kind
+from exoid.recordings.declared.protocol import Kind
 from exoid.twin.sensors import ShownMotion
 
 REST = 1.5  # s held still before each release

@@ -8,9 +8,13 @@ import numpy as np
 from jaxtyping import PRNGKeyArray
 
 from exoid.physics.leg import LegModel
+from exoid.recordings.declared.protocol import Kind, Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.filter import kalman
 from exoid.recordings.filter.constants import CURRENT
-from exoid.recordings.recording import Kind, Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.splitting.split import split
 from exoid.twin.motion import FrequencyReading, Movement, perform
 from exoid.twin.sensors import TICK, SensorKit, ShownMotion, measure

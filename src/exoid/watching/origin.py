@@ -6,7 +6,7 @@ from typing import Any
 
 from exoid.online.model.model import Model, Node
 from exoid.online.model.unknowns import Unknowns
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.watching.beside.coach import Coach
 from exoid.watching.beside.goals import Goal
 from exoid.watching.beside.next_movement import Wish

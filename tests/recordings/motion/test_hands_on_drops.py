@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from exoid.pendulum.drops import measure_drops
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.drops import find_drops
 from exoid.recordings.motion.extent import Motionless
 from exoid.recordings.motion.find_free import find_free
 from exoid.recordings.motion.signal import signal_of
-from exoid.recordings.recording import Segment
 from hands import Device, Hand, Knee, dropped
 
 STIFF = Knee(33.0, 16.0, 2.8)

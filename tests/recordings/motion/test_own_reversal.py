@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.drops import find_drops
 from exoid.recordings.motion.find_free import find_free
 from exoid.recordings.motion.signal import signal_of
-from exoid.recordings.recording import Recording, Segment, Sensors
+from exoid.recordings.recording import Recording
 from reflexes import ADULT, CHILD, START, measured, swung, thrown
 
 LIFT, FAR = 0.35, np.radians(30.0)  # s that a hand takes to lift a leg, and how far

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from scipy.signal import butter, lfilter
 
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.extent import Motionless
 from exoid.recordings.motion.find_free import find_free
 from exoid.recordings.motion.signal import signal_of
-from exoid.recordings.recording import Segment, Sensors
 from hands import ADULT, SPASTIC, Device, Hand, dropped
 
 GYRO = Device()

@@ -7,10 +7,14 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.interpolate import BPoly
 
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.landmarks.release import find_release
 from exoid.recordings.landmarks.track import track_of
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.drops import find_drops
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.recording import Recording
 from exoid.recordings.splitting.split import cut_table
 from hands import ADULT
 

@@ -5,8 +5,9 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.interpolate import BPoly
 
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.signal import signal_of, smoothed, speed_error
-from exoid.recordings.recording import Segment, Sensors
 from exoid.recordings.splitting.pieces import find_pieces
 from exoid.recordings.splitting.split import kept_parts
 

@@ -100,7 +100,7 @@ def plan(
     if (rivals or chosen) and not recordings:
         raise ValueError("terms need a recording: a first session is planned for Eq. 9 alone.")
     body = given_body(body_mass=body_mass, height=height)
-    from exoid.recordings.recording import Subject
+    from exoid.recordings.declared.subject import Subject
 
     told = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
     named, _ = take_all(recordings or [], body, **told)

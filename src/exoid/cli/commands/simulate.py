@@ -101,8 +101,8 @@ def simulate(
     from exoid.files.counted import counted
     from exoid.physics.leg import LegModel, LegParameters
     from exoid.physics.torque import NoTorque
+    from exoid.recordings.declared.subject import Subject
     from exoid.recordings.formats.own_table import write_table
-    from exoid.recordings.recording import Subject
     from exoid.twin.motion import Movement
     from exoid.twin.protocols import record
 

@@ -22,7 +22,9 @@ QUESTIONS = {
 
 def given_body(**options: float | None) -> dict[str, float]:
     """The options that were given, refused where no body is like that."""
-    from exoid.recordings.recording import Subject, check_entry, known
+    from exoid.recordings.declared.check_entries import check_entry
+    from exoid.recordings.declared.entry import known
+    from exoid.recordings.declared.subject import Subject
 
     declared = {entry.name: entry.metadata for entry in known(Subject)}
     wanted = {name: value for name, value in options.items() if value is not None}

@@ -81,7 +81,7 @@ def goals_asked(until: list[str] | None, terms: tuple[type, ...]) -> tuple[Any, 
         return ()
     from exoid import online
     from exoid.online.readings import units
-    from exoid.recordings.recording import Subject
+    from exoid.recordings.declared.subject import Subject
     from exoid.watching.beside.goals import goal_of
     from exoid.watching.estimate.expect import expected_of, sizes_of
     from exoid.watching.estimate.known import SENSORS

@@ -13,10 +13,10 @@ from exoid.cli.live.watched import Watched
 from exoid.cli.live.weighing import KEY, Weighing
 from exoid.cli.terminal.keys import has_keyboard, keyboard
 from exoid.cli.terminal.stopping import stoppable
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.live.channel.address import BusAddress
 from exoid.recordings.live.decoding.node_stream import NodeStream
 from exoid.recordings.live.log_file import LogFile, Unkept
-from exoid.recordings.recording import Subject
 from exoid.watching.board import Board
 from exoid.watching.estimate.expect import is_known
 from exoid.watching.estimate.load import constant_load

@@ -13,9 +13,11 @@ from exoid.online.model.model import Node
 from exoid.online.recorded import PAUSE, declared, is_smoothed, node_of
 from exoid.recordings.can.logs.log_files import FORMATS, read_log
 from exoid.recordings.can.node.which import nodes_in
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.live.decoding.node_stream import NodeStream
 from exoid.recordings.live.decoding.reading import Reading
-from exoid.recordings.recording import Recording, Sensors, Subject
+from exoid.recordings.recording import Recording
 from exoid.recordings.splitting.split import cut_apart
 from exoid.watching.estimate.expect import check_subject
 from exoid.watching.estimate.load import Load, Mass, mass_of

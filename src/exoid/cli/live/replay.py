@@ -11,7 +11,8 @@ from exoid.recordings.can.frames import Log
 from exoid.recordings.live.decoding.node_stream import NodeStream
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.recordings.live.decoding.stretch import take_all
-from exoid.recordings.recording import Recording, Segment
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 AT_ONCE = 3100  # frames: ten seconds of a node
 IN_PACE = 8  # frames, or samples, between two looks at the clock

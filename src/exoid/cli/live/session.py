@@ -11,13 +11,15 @@ import can
 
 from exoid.cli.terminal.faults import one_line
 from exoid.recordings.can.node.config_crc import config_crc
+from exoid.recordings.declared.protocol import Kind
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.live.bus import LiveBus
 from exoid.recordings.live.channel.address import BusAddress
 from exoid.recordings.live.log_file import LogFile, Unkept
 from exoid.recordings.live.marks import Marks
 from exoid.recordings.live.record import record
 from exoid.recordings.live.watch import Status, Watch
-from exoid.recordings.recording import Kind, Sensors, Subject
 from exoid.recordings.sidecar import write_sidecar
 
 LOOKED_EVERY = 0.1  # s, at keys and clock

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from exoid.cli.live.viewing import Views
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.watching.beside.goals import Goal
 from exoid.watching.origin import Origin
 

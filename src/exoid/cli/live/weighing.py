@@ -5,7 +5,7 @@ from math import inf
 
 from exoid.cli.live.session import Session
 from exoid.cli.live.watched import Watched
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.watching.board import Weight
 from exoid.watching.estimate.switch import Switch
 

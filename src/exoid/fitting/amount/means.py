@@ -6,8 +6,10 @@ import numpy as np
 
 from exoid.fitting.amount.part import Part, together, with_sensors
 from exoid.recordings.conventions.thin import of_means
-from exoid.recordings.recording import Recording, Segment, Sensors
-from exoid.recordings.samples import Samples, block_size
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.samples import Samples, block_size
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.both_sensors.clean import filtered
 from exoid.recordings.signal.local_line import interpolated
 from exoid.recordings.signal.noise import noise_of

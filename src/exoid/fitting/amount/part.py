@@ -6,7 +6,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from exoid.fitting.data.observe import LONGEST_STEP
-from exoid.recordings.recording import Kind, Recording, Segment
+from exoid.recordings.declared.protocol import Kind
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.selection import selection
 from exoid.recordings.signal.condition import classify
 

@@ -5,11 +5,11 @@ import numpy as np
 from exoid.fitting.amount.part import Part, together
 from exoid.fitting.data.observe import LONGEST_STEP
 from exoid.recordings.conventions.thin import of_means
+from exoid.recordings.measured.samples import Samples, block_size
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.find_free import moving
 from exoid.recordings.motion.signal import signal_of, smoothed, speed_of
 from exoid.recordings.motion.thresholds import CLEAR, KEPT, REST_KEPT, TRAVEL
-from exoid.recordings.recording import Segment
-from exoid.recordings.samples import Samples, block_size
 from exoid.recordings.signal.condition import cut
 
 COARSE = 0.02  # s, over which samples are averaged to see what moves

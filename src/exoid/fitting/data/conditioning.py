@@ -5,7 +5,7 @@ import numpy as np
 from exoid.fitting.data.conditioning_chain import Chain, MovingAverage, Raw, SteadyKalman
 from exoid.fitting.data.movement import Movement, weightless, with_channels
 from exoid.fitting.data.observe import LONGEST_STEP
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 from exoid.recordings.signal.condition import moving_average
 
 SETTLING_SAMPLES = 25  # in which the firmware's filter forgets how it was started

@@ -5,9 +5,10 @@ from typing import Literal
 
 import numpy as np
 
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.drops import find_drop
 from exoid.recordings.motion.extent import Extent, Motionless
-from exoid.recordings.recording import Recording, Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import best_velocity, clip
 from exoid.recordings.splitting.cycle import find_cycle
 

@@ -2,7 +2,7 @@
 
 from exoid.fitting.data.movement import Movement, angle_of_leg
 from exoid.fitting.data.pace import unhurried
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 from exoid.recordings.signal.local_line import interpolated, local_line
 
 GUIDE_WIDTH = 0.06  # s, over which angle and velocity are smoothed

@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 from exoid.fitting.data.time_jitter import TimeJitter
 from exoid.fitting.model.systematics import DECLARED_NOTHING, Systematics
 from exoid.recordings.conventions.jumps import Jump, jumps
+from exoid.recordings.declared.sensors import Sensors
 from exoid.recordings.filter.constants import UNTOLD
+from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.extent import Extent
-from exoid.recordings.recording import Segment, Sensors
 from exoid.recordings.remembered import remembered
-from exoid.recordings.samples import Samples
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.noise import Noise
 

@@ -7,8 +7,9 @@ from exoid.fitting.data.movement import Movement, weightless
 from exoid.fitting.data.time_jitter import jitter_beside
 from exoid.fitting.model.systematics import systematics
 from exoid.recordings.filter.constants import UNTOLD
-from exoid.recordings.recording import Recording, Segment
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.both_sensors.clean import clean
 from exoid.recordings.signal.condition import SMOOTHING, classify, cut
 from exoid.recordings.signal.local_line import local_line

@@ -16,9 +16,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float
 
+from exoid.recordings.measured.samples import Samples
 from exoid.recordings.recording import Recording
 from exoid.recordings.remembered import remembered
-from exoid.recordings.samples import Samples
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.neighbours import interpolation_errors
 from exoid.recordings.signal.noise import Noise

@@ -13,7 +13,7 @@ import numpy as np
 from exoid.fitting.data.guide import GUIDE_WIDTH
 from exoid.fitting.data.movement import KeptBack, Movement, smoothed_motion
 from exoid.physics.ratios import Ratios
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 from exoid.recordings.signal.local_line import interpolated, local_line
 
 WINDOW = 0.1  # s

@@ -22,7 +22,7 @@ from exoid.physics.anatomy.limits import Allowed, allowed, anybody, strongest
 from exoid.physics.parameter import Declaration
 from exoid.physics.scale import AS_A_LEG, Scale, ranged
 from exoid.physics.term import Term
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 
 TALL = 2.0  # m; the reach of a leg whose height is unknown
 DECADES = "d and c: a twentieth to twenty times a relaxed knee's"

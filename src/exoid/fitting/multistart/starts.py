@@ -22,7 +22,7 @@ from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.scale import AS_A_LEG, Scale, ranged
 from exoid.physics.term import Term
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.signal.local_line import local_line
 
 FROM_NONE = 1e-3  # of the upper limit: where a draw begins whose lower limit is zero

@@ -14,7 +14,7 @@ from exoid.recordings.can.sort import MessageFrames, SortedFrames, sort_frames
 from exoid.recordings.can.track import Track, told, track_of
 from exoid.recordings.can.units import size_in
 from exoid.recordings.filter.effect import filter_effect
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 
 CHANNELS = {
     entry.name: entry.metadata["unit"]

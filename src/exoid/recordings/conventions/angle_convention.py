@@ -13,7 +13,8 @@ from exoid.recordings.conventions.balance import Balance, balance
 from exoid.recordings.conventions.counting import answers, counting
 from exoid.recordings.conventions.file_clock import measured
 from exoid.recordings.conventions.gyro_agreement import agreement
-from exoid.recordings.recording import Recording, Sensors
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import SMOOTHING, classify
 from exoid.recordings.signal.local_line import local_line
 

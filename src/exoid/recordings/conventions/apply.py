@@ -26,7 +26,8 @@ from exoid.recordings.conventions.left_out.lost_time import without_lost_time
 from exoid.recordings.conventions.mounting import settled, turned
 from exoid.recordings.conventions.other_leg import another_leg
 from exoid.recordings.conventions.thin import thinned
-from exoid.recordings.recording import Recording, Sensors
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.recording import Recording
 from exoid.recordings.splitting.split import Split
 
 TINY = np.pi * np.pi / 180  # rad, what an angle of pi becomes where radians were called degrees

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recordings.conventions.file_clock import measured
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.remembered import remembered
-from exoid.recordings.samples import Samples
 
 WINDOW = 0.4  # s, a third of a swing
 STRIDE = 0.05  # s between windows

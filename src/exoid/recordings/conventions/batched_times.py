@@ -11,8 +11,9 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.files.text_file import Notes
-from exoid.recordings.recording import Recording, Segment
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.neighbours import interpolation_errors
 from exoid.recordings.signal.scatter import robust_deviation
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.recordings.recording import Sensors
+from exoid.recordings.declared.sensors import Sensors
 
 ANGLES = ("raw_angle", "angle")
 RATES = ("raw_angular_velocity", "angular_velocity", "angular_acceleration")

@@ -5,8 +5,9 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.files.text_file import Notes
-from exoid.recordings.recording import Recording, Segment
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.noise import noise_of
 
 SLOWEST = 0.2  # s between samples; a leg's swing takes about a second

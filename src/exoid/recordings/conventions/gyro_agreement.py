@@ -4,8 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.recordings.recording import Recording, Segment, known
-from exoid.recordings.samples import Samples
+from exoid.recordings.declared.entry import known
+from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import SMOOTHING
 from exoid.recordings.signal.local_line import local_line
 

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.recordings.recording import Segment
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.signal.local_line import interpolated
 from exoid.recordings.signal.scatter import robust_deviation
 

@@ -13,7 +13,8 @@ from exoid.recordings.conventions.counting import ANGLES, FLIPPED, RATES, counti
 from exoid.recordings.landmarks.find_landmarks import find_landmarks
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import track_of
-from exoid.recordings.recording import Recording, Segment
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.both_sensors.clean import clean
 from exoid.recordings.signal.condition import classify
 

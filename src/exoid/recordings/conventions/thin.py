@@ -5,8 +5,9 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.files.text_file import Notes
-from exoid.recordings.recording import Recording, Segment
-from exoid.recordings.samples import block_means, block_size
+from exoid.recordings.measured.samples import block_means, block_size
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 FINEST = 1e-3  # s; an angle that bends by 300 rad/s^2 departs from its mean by 1e-5 rad
 

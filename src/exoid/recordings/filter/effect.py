@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool
 
-from exoid.recordings.recording import Segment
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.signal.condition import MOTION_SPEED, SMOOTHING
 from exoid.recordings.signal.local_line import local_line
 

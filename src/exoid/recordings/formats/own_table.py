@@ -101,7 +101,7 @@ def write_table(recording: Recording, path: str | Path) -> None:
         raise ValueError(f"{path}: a recording is written to a name that ends in .csv or .parquet.")
     tables = (recording.subject, recording.protocol, recording.sensors)
     sidecar = sidecar_text(*tables, recording.extra_tables)
-    columns = flat(recording)
+    columns = flat(recording.segments)
     check_names([*columns])
     samples = as_csv(columns) if path.suffix.lower() == ".csv" else parquet_of(columns)
     replace_files({path.with_suffix(".toml"): [sidecar], path: samples})

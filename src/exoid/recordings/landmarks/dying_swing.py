@@ -6,7 +6,7 @@ import numpy as np
 from jaxtyping import Float
 
 from exoid.recordings.landmarks.track import Peak
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 
 # Of the log of the rate (a soft leg swings slower the less it swings) and of the decay in a radian:
 # standard deviations from those of the swings before.

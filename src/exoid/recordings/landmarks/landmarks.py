@@ -13,7 +13,7 @@ from exoid.recordings.landmarks.release import Release
 from exoid.recordings.landmarks.rest import CutBefore, Rest
 from exoid.recordings.landmarks.swing import Curve, back, curve
 from exoid.recordings.landmarks.track import DEGREE, HALF, Peak, Track, nearest
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 
 MISSED_LESS = (
     2**DEGREE - 1

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recordings.landmarks.track import DEGREE, FEWEST, HALF, Track
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 
 ALIKE = 1e-6  # of a window, to which the times of samples are alike: a leg moves 1e-6 rad in it
 AT_ONCE = 2**18  # samples of all windows together, so that they stay in the processor's cache

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from exoid.recordings.landmarks.local_polynomial import DEGREE, LocalPolynomials, standing
 from exoid.recordings.landmarks.track import HALF, SURE, Peak, Track, nearest
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 
 BLURRED = 0.005  # s of error in time from which on an extreme is looked for more widely
 NEAR = 0.5  # of a polynomial: farther out, another polynomial follows the curve better

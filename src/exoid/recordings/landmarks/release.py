@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from exoid.recordings.landmarks.local_polynomial import local
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import HALF, SURE, Peak, Track, nearest
+from exoid.recordings.measured.samples import Samples
 from exoid.recordings.motion.extent import Extent
-from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import MOTION_SPEED
 from exoid.recordings.signal.left_over import orthonormal
 

@@ -8,7 +8,7 @@ from exoid.recordings.landmarks.local_polynomial import local
 from exoid.recordings.landmarks.peak import peaks
 from exoid.recordings.landmarks.release import Release
 from exoid.recordings.landmarks.track import HALF, Peak, Track
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 from exoid.recordings.signal.condition import reversals
 from exoid.recordings.signal.local_line import local_line
 

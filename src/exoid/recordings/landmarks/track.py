@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recordings.landmarks.measure import Mark, NotAllowed
+from exoid.recordings.measured.samples import Samples, block_means, block_size, quantile, usual_step
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.thresholds import BLOCK
-from exoid.recordings.recording import Segment
-from exoid.recordings.samples import Samples, block_means, block_size, quantile, usual_step
 from exoid.recordings.signal.rounding import least_step, shared
 
 HALF = 0.1  # s to either side that a polynomial follows, a tenth of a leg's swing

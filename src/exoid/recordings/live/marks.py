@@ -1,6 +1,6 @@
 """Drops and cycles that a person marks while recording, as the sidecar says them."""
 
-from exoid.recordings.recording import Kind, Protocol
+from exoid.recordings.declared.protocol import Kind, Protocol
 
 SHORTEST = 0.2  # s; a shorter segment was a key pressed by mistake
 

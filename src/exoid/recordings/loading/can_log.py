@@ -11,7 +11,10 @@ from exoid.recordings.can.logs.log_files import read_log
 from exoid.recordings.can.node.log import EXO_SENSORS, RAW_TURN, read_exo
 from exoid.recordings.can.quality import LogQuality
 from exoid.recordings.can.signals import read_signals
-from exoid.recordings.recording import Protocol, Recording, Sensors, Subject
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.recording import Recording
 
 
 def read_can_log(

@@ -12,9 +12,13 @@ from exoid.files.text_file import naming, near
 from exoid.recordings.columns import NUMERIC, TARGETS
 from exoid.recordings.conventions.apply import understand
 from exoid.recordings.conventions.file_clock import late_starts
+from exoid.recordings.declared.entry import known
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.loading.load import load
 from exoid.recordings.loading.warn_user import tell
-from exoid.recordings.recording import Protocol, Recording, Sensors, Subject, known
+from exoid.recordings.recording import Recording
 from exoid.recordings.sidecar import parse_keys
 from exoid.recordings.splitting.split import cut_table
 from exoid.recordings.tables.arrays import sheet_of_arrays

@@ -12,6 +12,7 @@ from math import sqrt
 import numpy as np
 from numpy.typing import NDArray
 
+from exoid.recordings.measured.samples import Samples, quantile
 from exoid.recordings.motion.signal import Signal, bends, lines
 from exoid.recordings.motion.thresholds import (
     BLUR,
@@ -26,7 +27,6 @@ from exoid.recordings.motion.thresholds import (
     USUAL,
 )
 from exoid.recordings.remembered import remembered
-from exoid.recordings.samples import Samples, quantile
 from exoid.recordings.signal.local_line import local_line
 
 

@@ -10,8 +10,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from exoid.recordings.measured.samples import Samples
 from exoid.recordings.motion.signal import Signal
-from exoid.recordings.samples import Samples
 from exoid.recordings.signal.left_over import beside, left_beside, orthonormal
 
 Table = NDArray[np.float64]

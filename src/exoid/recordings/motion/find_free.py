@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from exoid.recordings.measured.samples import Samples
 from exoid.recordings.motion.acceleration import Law
 from exoid.recordings.motion.extent import Extent, Motionless
 from exoid.recordings.motion.free_end import free_end
@@ -31,7 +32,6 @@ from exoid.recordings.motion.thresholds import (
     TRAVEL,
 )
 from exoid.recordings.remembered import remembered
-from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import runs
 
 

@@ -6,6 +6,7 @@ it. A turning point outside, a swing that is cut short, or a movement out of res
 
 import numpy as np
 
+from exoid.recordings.measured.samples import Samples, quantile
 from exoid.recordings.motion.acceleration import (
     Derivatives,
     Law,
@@ -19,7 +20,6 @@ from exoid.recordings.motion.signal import Signal, Speed
 from exoid.recordings.motion.swings import Swings, cut_short, outside
 from exoid.recordings.motion.thresholds import BRIEF, KEPT, LATE, PUSH
 from exoid.recordings.remembered import remembered
-from exoid.recordings.samples import Samples, quantile
 from exoid.recordings.signal.condition import runs
 
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from exoid.recordings.measured.samples import Samples
 from exoid.recordings.motion.fall import BELIEVED, Rows, Swing, Swings, rows_of
 from exoid.recordings.motion.signal import Signal
 from exoid.recordings.motion.thresholds import (
@@ -29,7 +30,6 @@ from exoid.recordings.motion.thresholds import (
     TRIED,
     WINDOWS,
 )
-from exoid.recordings.samples import Samples
 
 POWERS = (3, 4, 5)
 SWAY = (1, 2)

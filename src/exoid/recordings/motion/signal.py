@@ -7,10 +7,11 @@ from math import sqrt
 import numpy as np
 from numpy.typing import NDArray
 
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.samples import Samples, block_means, block_size, usual_step
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.thresholds import QUIET, SPEED_ERROR, WIDTHS
-from exoid.recordings.recording import Segment, Sensors
 from exoid.recordings.remembered import remembered
-from exoid.recordings.samples import Samples, block_means, block_size, usual_step
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.noise import OF_ANGLE, declared_angle_noise, noise_of
 from exoid.recordings.signal.spikes import spikes_of

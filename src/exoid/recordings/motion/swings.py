@@ -5,6 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
+from exoid.recordings.measured.samples import Samples, quantile
 from exoid.recordings.motion.signal import Signal, Speed, smoothed
 from exoid.recordings.motion.thresholds import (
     BEYOND,
@@ -20,7 +21,6 @@ from exoid.recordings.motion.thresholds import (
     TURNED,
 )
 from exoid.recordings.remembered import remembered
-from exoid.recordings.samples import Samples, quantile
 from exoid.recordings.signal.condition import reversals, runs
 
 Rest = tuple[int, int]  # its first sample, and one past its last

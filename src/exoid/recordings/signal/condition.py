@@ -5,8 +5,9 @@ driving torque (Eq. 4).
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.recording import Kind, Segment
-from exoid.recordings.samples import Samples
+from exoid.recordings.declared.protocol import Kind
+from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.signal.local_line import Signal, interpolated, local_line
 from exoid.recordings.signal.spikes import spikes_of
 from exoid.recordings.signal.turns import bends

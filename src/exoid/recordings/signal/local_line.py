@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 
 AT_ONCE = 2**12  # samples, whose sums stay in the processor's cache
 WINDOWS = 8  # the least at once, for what is read beyond a part to be little

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.recordings.recording import Sensors
-from exoid.recordings.samples import Samples, quantile
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.samples import Samples, quantile
 from exoid.recordings.signal.neighbours import (
     NEIGHBOURS,
     Known,

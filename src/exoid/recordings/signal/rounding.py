@@ -8,7 +8,7 @@ anywhere within half a step: no number of them makes a mean better.
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.samples import ROUNDING, Samples
+from exoid.recordings.measured.samples import ROUNDING, Samples
 
 
 def least_step(shown: Samples) -> float:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.recordings.samples import ROUNDING, Samples, quantile
+from exoid.recordings.measured.samples import ROUNDING, Samples, quantile
 
 FAR = 5.0  # standard deviations of a spike: of clean samples one in 1.7 million
 FEWEST = 30  # samples that tell a noise to 15 %

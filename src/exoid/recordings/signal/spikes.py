@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.remembered import remembered
-from exoid.recordings.samples import Samples
 from exoid.recordings.signal.neighbours import NEIGHBOURS, departures, interpolation_errors, renew
 from exoid.recordings.signal.scatter import FAR, quantum, robust_deviation
 

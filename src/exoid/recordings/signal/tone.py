@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recordings.chi_square import chance_above, median_of
-from exoid.recordings.samples import Samples, usual_step
+from exoid.recordings.measured.samples import Samples, usual_step
 from exoid.recordings.signal.spline import follow
 
 SLOWEST = 9.0  # Hz, of a tone that is no motion: tremor and clonus of a leg are slower

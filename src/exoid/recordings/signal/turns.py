@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.recordings.samples import Samples, usual_step
+from exoid.recordings.measured.samples import Samples, usual_step
 
 TURN = 0.1  # of its travel: how far it moves back before a turn counts
 QUICK = 25.0  # rad/s: what turns less often is a leg, or as slow as one

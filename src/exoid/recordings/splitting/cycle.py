@@ -4,11 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.extent import Extent
 from exoid.recordings.motion.find_free import first_movement, moving, nearest, released
 from exoid.recordings.motion.signal import Signal, Speed, signal_of, speed_of
 from exoid.recordings.motion.thresholds import MARKED, TURN_OF_HOLD, WILFUL
-from exoid.recordings.recording import Segment, Sensors
 
 
 def find_cycle(segment: Segment, sensors: Sensors, period: float | None = None) -> Extent:

@@ -1,9 +1,10 @@
 """Drops without the lift that ends them."""
 
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.extent import Motionless
 from exoid.recordings.motion.find_free import find_free
 from exoid.recordings.motion.signal import signal_of
-from exoid.recordings.recording import Segment, Sensors
 from exoid.recordings.signal.condition import cut
 from exoid.recordings.splitting.piece import Piece
 

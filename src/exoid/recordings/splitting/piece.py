@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.recordings.declared.protocol import Kind
+from exoid.recordings.measured.samples import Samples
 from exoid.recordings.motion.thresholds import SWINGS
-from exoid.recordings.recording import Kind
-from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import RINGING, reversals
 
 

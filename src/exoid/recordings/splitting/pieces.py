@@ -4,11 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from exoid.recordings.declared.protocol import Kind
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.find_free import moving
 from exoid.recordings.motion.signal import Speed, signal_of, smoothed, speed_of
 from exoid.recordings.motion.thresholds import ABOVE, CHANGE, CLEAR, LOST, MINOR, SWAYING, TRAVEL
-from exoid.recordings.recording import Kind, Segment, Sensors
-from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import RINGING, classify, cut, reversals, swings_out
 from exoid.recordings.splitting.piece import Piece, rings
 from exoid.recordings.splitting.small_lifts import with_small_lifts

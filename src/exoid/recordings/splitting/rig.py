@@ -4,12 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.extent import Motionless
 from exoid.recordings.motion.find_free import find_free
 from exoid.recordings.motion.signal import signal_of
 from exoid.recordings.motion.thresholds import ROCKING
-from exoid.recordings.recording import Segment, Sensors
-from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import cut, swings_out
 from exoid.recordings.splitting.piece import Piece, rings
 

@@ -4,8 +4,8 @@ stays, which is not the one at which it came to rest.
 
 import numpy as np
 
+from exoid.recordings.measured.samples import Samples, quantile
 from exoid.recordings.motion.thresholds import CHANGE, HOLD, REST, ROCKING
-from exoid.recordings.samples import Samples, quantile
 from exoid.recordings.splitting.piece import Piece
 
 QUICK = 2.5  # s in which a hand lifts a leg so far that it surely moved: what creeps takes longer

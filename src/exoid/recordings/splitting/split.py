@@ -5,9 +5,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from exoid.files.counted import counted
+from exoid.recordings.declared.entry import known
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.extent import Motionless
 from exoid.recordings.motion.thresholds import PAUSE, REST_KEPT, TAKEN
-from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, known
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import classify, cut
 from exoid.recordings.splitting.cycle import find_cycle
 from exoid.recordings.splitting.lifted import without_lifts

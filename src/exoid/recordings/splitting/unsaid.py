@@ -1,6 +1,8 @@
 """What to say of movements that are taken for voluntary ones by their shape alone."""
 
-from exoid.recordings.recording import Protocol, Recording, Segment
+from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import classify
 
 LEG = (

@@ -8,7 +8,10 @@ import numpy as np
 
 from exoid.files.text_file import Notes
 from exoid.recordings.columns import CHANNELS, NUMERIC
-from exoid.recordings.recording import BadSample, Recording, Segment, Subject
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.measured.bad_sample import BadSample
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.selection import entries
 from exoid.recordings.tables.assemble import Named
 from exoid.recordings.tables.mending.mend import mended, without_doubled

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from exoid.files.text_file import Notes
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.recordings.recording import Segment, Sensors
+from exoid.recordings.declared.sensors import Sensors
+from exoid.recordings.measured.segment import Segment
 
 GAP = 1.5  # usual steps, from which on a step has lost a sample
 FULL = 0.999  # of a gyro's range, from which on it is at its end

@@ -7,7 +7,7 @@ from math import isnan
 from markupsafe import escape
 
 from exoid.fitting.result.fit_result import SegmentFit
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.report.parts.appraisal import Appraisal, appraise
 from exoid.report.parts.case import Case, Source
 from exoid.report.sections.blocks import Block, element

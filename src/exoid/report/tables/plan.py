@@ -11,7 +11,7 @@ from exoid.files.counted import counted
 from exoid.fitting.result.fit_result import FitResult
 from exoid.planning.candidate_recordings import SWING
 from exoid.planning.planned import Candidate, Plan
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.report.document.plain_json import plain, shown
 from exoid.report.tables.table import Table, print_table, with_unit
 from exoid.report.words.person import identity

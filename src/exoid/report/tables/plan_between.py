@@ -5,7 +5,7 @@ from typing import Any
 from rich.console import Console
 
 from exoid.planning.planned import Contrast
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.report.document.plain_json import plain, shown
 from exoid.report.tables.plan import (
     ROUNDING,

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 
 KEYS = ("id", "side", "session")
 

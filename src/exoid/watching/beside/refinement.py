@@ -11,7 +11,7 @@ import numpy as np
 
 from exoid.fitting.solve.cores.second_process import SecondProcess
 from exoid.online.model.model import Model
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.watching.estimate.known import RATIOS
 from exoid.watching.estimate.left_out import LeftOut
 from exoid.watching.estimate.leg import LegDrop

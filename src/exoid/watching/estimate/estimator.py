@@ -12,7 +12,7 @@ from exoid.online.model.trust import Phase, Trust
 from exoid.online.outlook import Outlook
 from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.recordings.live.decoding.reading import Reading
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 from exoid.watching.estimate.gyro_off import gyro_off
 from exoid.watching.estimate.known import RATIOS, told_of
 from exoid.watching.estimate.left_out import STRAYED, LeftOut, Strays

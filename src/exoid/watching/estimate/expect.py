@@ -6,7 +6,7 @@ import numpy as np
 
 from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.physics.leg import GRAVITY
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 
 ADULT = 72.0, 1.72  # kg, m
 SCATTER = (0.25, 0.10, 0.05)  # of log m, log l and log J / (m l) between adults, beside the tables'

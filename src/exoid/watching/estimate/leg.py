@@ -6,8 +6,9 @@ from dataclasses import dataclass, replace
 from exoid.online.model.model import Model
 from exoid.online.model.trust import Phase, Trust
 from exoid.physics.anatomy.expected import ExpectedLeg
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.live.decoding.reading import Reading
-from exoid.recordings.recording import Segment, Subject
+from exoid.recordings.measured.segment import Segment
 from exoid.watching.estimate.estimator import Drop, Estimator
 from exoid.watching.estimate.known import ABSOLUTE, RATIOS, SCALED
 from exoid.watching.estimate.left_out import CUT, TORN, LeftOut

@@ -6,7 +6,7 @@ from math import inf
 
 from exoid.fitting.model.systematics import SOMEWHERE
 from exoid.physics.anatomy.expected import Expected, ExpectedLeg
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 
 
 @dataclass(frozen=True)

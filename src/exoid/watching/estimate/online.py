@@ -7,7 +7,7 @@ from exoid.online.model.model import Model
 from exoid.online.model.sample import Sample
 from exoid.online.outlook import Outlook
 from exoid.physics.anatomy.expected import ExpectedLeg
-from exoid.recordings.recording import Segment
+from exoid.recordings.measured.segment import Segment
 
 Belief = Any  # of exoid.online.belief
 

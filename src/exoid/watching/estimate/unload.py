@@ -19,7 +19,7 @@ from jaxtyping import Float
 from exoid.fitting.model.systematics import GYRATION, MEASURED_GYRATION, PLACED, WEIGHED
 from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.physics.leg import GRAVITY
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.watching.estimate.load import Mass
 from exoid.watching.estimate.moment import Quantity
 

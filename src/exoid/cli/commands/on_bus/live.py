@@ -167,7 +167,7 @@ def live(
         run_file(recording, open_recording(recording, body, node, **reading), wanted, pace)
     elif channel is not None:
         from exoid.cli.live.follow_bus import bus_of, run_bus
-        from exoid.recordings.recording import Subject
+        from exoid.recordings.declared.subject import Subject
 
         subject = replace(Subject(kind="leg", id=subject_id, side=side), **ask_body(body))
         bus = bus_of((interface, channel, bitrate), output, subject, node, force=force)

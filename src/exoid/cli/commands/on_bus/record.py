@@ -73,8 +73,8 @@ def record(
     check_absent((output, sidecar), force)
     if segment:
         check_keyboard()
+    from exoid.recordings.declared.subject import Subject
     from exoid.recordings.live.channel.address import BusAddress
-    from exoid.recordings.recording import Subject
 
     log = LogFile(output, replace=force)
     body = given_body(

@@ -24,8 +24,9 @@ from exoid.recordings.can.node.samples import Samples, samples_of
 from exoid.recordings.can.node.which import MEASURED, nodes_in, read_by
 from exoid.recordings.can.quality import LogQuality, MessageCount, gaps_in
 from exoid.recordings.can.sort import MessageFrames, SortedFrames, sort_frames
+from exoid.recordings.declared.sensors import Sensors
 from exoid.recordings.filter.effect import filter_effect
-from exoid.recordings.recording import Segment, Sensors
+from exoid.recordings.measured.segment import Segment
 
 RAW_TURN = 4096  # counts of an encoder that EXO_RAW holds in full
 EXO_SENSORS = Sensors(encoder_counts=float(RAW_TURN), gyro_range=2000.0, sample_rate=1 / PERIOD)

@@ -10,8 +10,9 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.files.text_file import Notes
-from exoid.recordings.recording import Recording, Segment
-from exoid.recordings.samples import ROUNDING, Samples
+from exoid.recordings.measured.samples import ROUNDING, Samples
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import runs
 from exoid.recordings.signal.local_line import interpolated
 from exoid.recordings.signal.noise import noise_of

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.samples import Samples, usual_step
+from exoid.recordings.measured.samples import Samples, usual_step
 
 NEAR = 0.05  # relative, of the mean distance of values, that their period is sought within
 FINER = 8  # times as fine as a recording's duration tells frequencies apart

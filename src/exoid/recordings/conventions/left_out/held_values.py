@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 
 from exoid.files.text_file import Notes
 from exoid.recordings.conventions.left_out.held_late import Beat, beat_of, on_time
-from exoid.recordings.recording import Recording, Segment
-from exoid.recordings.samples import Samples, quantile, usual_step
+from exoid.recordings.measured.samples import Samples, quantile, usual_step
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 
 AROUND = 0.05  # s to either side, over which a signal moves; a leg's swing takes 0.6 s
 ROUNDED = 0.05  # of the median change of a value: what changes by less was rounded

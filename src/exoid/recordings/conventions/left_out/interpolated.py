@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from exoid.files.text_file import Notes
 from exoid.recordings.conventions.left_out.held_values import FEWEST, NAMES, REGULAR, said_once
+from exoid.recordings.measured.samples import ROUNDING, Samples
 from exoid.recordings.recording import Recording
-from exoid.recordings.samples import ROUNDING, Samples
 
 ON_LINE = 1.01  # written steps: three rounded values, half a step each, one at double weight
 BENT = 5.0  # written steps, that what was measured is off its line at the least

@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.files.text_file import Notes
-from exoid.recordings.recording import Recording, Segment
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import runs, stands
 
 FEWEST = 3  # times in a row; what is shorter is a spike

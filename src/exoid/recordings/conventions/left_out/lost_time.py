@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.files.text_file import Notes
-from exoid.recordings.recording import Recording, Segment
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.breaks import breaks
 from exoid.recordings.signal.condition import cut
 from exoid.recordings.signal.local_line import interpolated

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 from exoid.recordings.signal.condition import SMOOTHING
 from exoid.recordings.signal.local_line import local_line
 

@@ -6,8 +6,9 @@ from functools import lru_cache
 
 import numpy as np
 
-from exoid.recordings.recording import Recording, Segment
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.both_sensors.gyro_drift import gyro_drift
 from exoid.recordings.signal.both_sensors.play import find_play
 from exoid.recordings.signal.both_sensors.shared_motion import moved_alike, swung_alike

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recordings.chi_square import chance_above
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 from exoid.recordings.signal.local_line import local_line
 
 WINDOW = 0.5  # s; half a swing: short enough to separate motion and drift

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 from exoid.recordings.signal.noise import Play
 
 WIDTHS = np.radians(np.geomspace(0.05, 6.0, 21))  # rad, of the play, to choose from

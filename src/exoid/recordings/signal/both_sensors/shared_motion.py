@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.samples import Samples, usual_step
+from exoid.recordings.measured.samples import Samples, usual_step
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.neighbours import NEIGHBOURS, known_of
 from exoid.recordings.signal.scatter import FEWEST, NONE, robust_deviation

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 
 TICKS = {"microseconds": 1e-6, "milliseconds": 1e-3}  # s
 FULL = 2**32  # ticks

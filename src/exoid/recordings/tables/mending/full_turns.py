@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 
 TURN = 2 * np.pi
 QUICKEST = 20.0  # rad/s; a leg that falls makes 8

@@ -6,7 +6,7 @@ What is one way only is mended; whatever else is left as it is, for the recordin
 import numpy as np
 
 from exoid.files.text_file import Notes
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 from exoid.recordings.tables.mending.clock_overflow import going_on
 from exoid.recordings.tables.mending.doubled_rows import Cells, Columns, doubled
 from exoid.recordings.tables.mending.full_turns import TURN, turns_left_out

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 
 WORDS = (999.0, 9999.0, 99999.0)  # of either sign
 UNITS = (1.0, np.pi / 180)  # rad and degrees

@@ -6,7 +6,7 @@ times by more than its step.
 
 import numpy as np
 
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 
 FEWEST = 50  # samples, as of any times that are taken for even
 SURE = 4.0  # standard errors of the ends of a line through rounded times

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.recordings.samples import Samples
+from exoid.recordings.measured.samples import Samples
 
 DEGREES = 180 / np.pi  # in a radian
 NEAR = 0.01  # of the ratio, by which the leg and the noise move it from one sample to the next

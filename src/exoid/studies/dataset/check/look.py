@@ -9,9 +9,10 @@ from exoid.files.system_errors import told
 from exoid.files.visible import visible
 from exoid.recordings.conventions.balance import Balance, balance
 from exoid.recordings.conventions.other_leg import EXPLAINED, middle
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.loading.load import Loaded
 from exoid.recordings.rate import rate_of
-from exoid.recordings.recording import Recording, Subject
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import classify
 from exoid.studies.dataset.check.looked import Facts, Looked
 from exoid.studies.dataset.entry import Dataset, Entry

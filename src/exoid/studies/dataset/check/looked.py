@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from exoid.recordings.conventions.balance import Balance
-from exoid.recordings.recording import Subject
+from exoid.recordings.declared.subject import Subject
 from exoid.studies.dataset.entry import Entry
 
 

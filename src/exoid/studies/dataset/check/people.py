@@ -5,8 +5,9 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 
 from exoid.physics.anatomy.body.doubt import doubts
-from exoid.recordings.recording import Subject, known
-from exoid.recordings.unit_hint import unit_hint
+from exoid.recordings.declared.entry import known
+from exoid.recordings.declared.subject import Subject
+from exoid.recordings.declared.unit_hint import unit_hint
 from exoid.studies.dataset.check.finding import Finding, Findings, error, warning
 from exoid.studies.dataset.check.looked import Looked
 from exoid.studies.dataset.entry import Dataset, Participant

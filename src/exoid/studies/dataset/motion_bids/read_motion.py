@@ -12,7 +12,8 @@ from exoid.files.text_file import Notes, naming, read_text
 from exoid.recordings.columns import NUMERIC, SEGMENT
 from exoid.recordings.conventions.apply import understand
 from exoid.recordings.conventions.file_clock import late_starts
-from exoid.recordings.recording import SIDES, Recording, Subject
+from exoid.recordings.declared.subject import SIDES, Subject
+from exoid.recordings.recording import Recording
 from exoid.recordings.sidecar import TABLES, parse_keys
 from exoid.recordings.splitting.split import cut_table
 from exoid.recordings.tables.assemble import Named, assemble

@@ -27,7 +27,7 @@ def write_motion(recording: Recording, path: Path, task: str) -> None:
     """Writes NAME_motion.tsv and what belongs to it, such that `read_motion` gives back every
     number. Units are SI, stated for each channel; the segments are events.
     """
-    columns = {name: each for name, each in flat(recording).items() if name != SEGMENT}
+    columns = {name: each for name, each in flat(recording.segments).items() if name != SEGMENT}
     columns = {LATENCY: latency(recording), **columns}
     texts = [lines(each) for each in columns.values()]
     replace_files(
