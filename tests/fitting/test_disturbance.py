@@ -15,7 +15,7 @@ from exoid.fitting.misfit.gram import CAUSES, UNIT, Cause, Grams
 from exoid.fitting.misfit.gram_matrices import gram, hats, matern, nodes_of, pushes, triangles
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.missed import Missed
-from exoid.fitting.result.remarks.remarks import of_missed
+from exoid.fitting.result.remarks.residual_remarks import of_missed
 from exoid.physics.motion.step import Drive
 
 SAMPLES, DURATION, NODES = 600, 6.0, 48

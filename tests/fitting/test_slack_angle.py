@@ -9,8 +9,8 @@ import pytest
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.mountings import numbers_at
-from exoid.fitting.result.remarks.leaning import BENT, LEANING
-from exoid.fitting.result.remarks.slack_angle import leaning, likely
+from exoid.fitting.result.remarks.zero.leaning import BENT, LEANING
+from exoid.fitting.result.remarks.zero.slack_angle import leaning, likely
 from exoid.physics.terms.tissue.end_range_stiffening import EndRangeStiffening
 from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
 from exoid.recordings.declared.sensors import Sensors

@@ -17,8 +17,8 @@ from exoid.fitting.movements import movements_of
 from exoid.fitting.result.fit_result import Estimate
 from exoid.fitting.result.remarks.added_mass_remarks import acting, same_swing
 from exoid.fitting.result.remarks.anatomy_remarks import at_rate, length_of, of_anatomy
-from exoid.fitting.result.remarks.leaning import LEANING, Leaning
 from exoid.fitting.result.remarks.scale_remarks import POUND, away, of_scale
+from exoid.fitting.result.remarks.zero.leaning import LEANING, Leaning
 from exoid.physics.leg import GRAVITY
 from exoid.recordings.declared.protocol import Protocol
 from exoid.recordings.declared.sensors import Sensors

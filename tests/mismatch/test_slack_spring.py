@@ -6,8 +6,8 @@ import pytest
 
 from exoid.fitting.result.fit_result import RIVALS
 from exoid.fitting.result.mountings import numbers_at
-from exoid.fitting.result.remarks.leaning import BENT
-from exoid.fitting.result.remarks.slack_angle import leaning
+from exoid.fitting.result.remarks.zero.leaning import BENT
+from exoid.fitting.result.remarks.zero.slack_angle import leaning
 from exoid.mismatch.missing_physics import diagnose
 from exoid.recordings.declared.sensors import Sensors
 from legs import ADULT, BODY, drop, recording

@@ -6,7 +6,7 @@ import pytest
 from benchmarks.studies.tables import Design, Truth, simulate
 
 from exoid.fitting.misfit.missed import Missed
-from exoid.fitting.result.remarks.remarks import of_missed
+from exoid.fitting.result.remarks.residual_remarks import of_missed
 from exoid.studies.page.parts.presence import lacking
 from exoid.studies.page.parts.words import finding
 from exoid.studies.page.sections.summary import amount

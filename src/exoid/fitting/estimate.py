@@ -27,7 +27,7 @@ from exoid.fitting.multistart.starts import check_draw, draw, driven, informed, 
 from exoid.fitting.one_leg import check_one_leg
 from exoid.fitting.result.describe import describe
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.result.remarks.remarks import UPWARDS, upwards
+from exoid.fitting.result.remarks.upwards_remarks import UPWARDS, upwards
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.unlike_tables import contradicted, strange, without_tables

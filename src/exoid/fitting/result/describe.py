@@ -49,13 +49,14 @@ from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mount
 from exoid.fitting.result.refused.notes import of_refused
 from exoid.fitting.result.remarks.added_mass_remarks import misplaced, of_misplaced
 from exoid.fitting.result.remarks.anatomy_remarks import of_anatomy
-from exoid.fitting.result.remarks.leaning import LEANING, Leaning
+from exoid.fitting.result.remarks.limit_remarks import limits_met
 from exoid.fitting.result.remarks.noise_remarks import of_leg_tone, tone_of
-from exoid.fitting.result.remarks.remarks import limits_met, remarks
+from exoid.fitting.result.remarks.remarks import remarks
 from exoid.fitting.result.remarks.scale_remarks import of_scale
-from exoid.fitting.result.remarks.slack_angle import left_open, slack_angle_remarks
 from exoid.fitting.result.remarks.torque_zero import off_by_torque_zero
-from exoid.fitting.result.remarks.zero_remarks import of_far_zeros
+from exoid.fitting.result.remarks.zero.far_zeros import of_far_zeros
+from exoid.fitting.result.remarks.zero.leaning import LEANING, Leaning
+from exoid.fitting.result.remarks.zero.slack_angle import left_open, slack_angle_remarks
 from exoid.fitting.result.untold import (
     doubted_scale,
     with_slack,

@@ -11,7 +11,8 @@ from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.term_parameters import ratio_name, ratio_unit
 from exoid.fitting.model.user_values import DECLARED, Means
 from exoid.fitting.result.fit_result import Basis, Estimate
-from exoid.fitting.result.remarks.remarks import NO_RIG, REACH, upside_down
+from exoid.fitting.result.remarks.limit_remarks import REACH
+from exoid.fitting.result.remarks.upwards_remarks import NO_RIG, upside_down
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.term import name_of
 from exoid.physics.torque import CycleTorque

@@ -12,7 +12,7 @@ from exoid.fitting.model.systematics import OF_THE_TORQUE, SLANT
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.fit_result import Estimate, FitResult, MountingFit
 from exoid.fitting.result.remarks.gyro_remarks import scale_of
-from exoid.fitting.result.remarks.tilt_or_zero import either
+from exoid.fitting.result.remarks.zero.tilt_or_zero import either
 from exoid.fitting.solve.problem import Problem
 
 TAPE = 5e-4  # m, to which a tape's millimetres are read

@@ -12,7 +12,7 @@ from exoid.fitting.result.estimates import SCALE_FREE, without_value
 from exoid.fitting.result.fit_result import Estimate, FitResult, MountingFit, SegmentFit
 from exoid.fitting.result.limiting_systematics import chief
 from exoid.fitting.result.remarks.anatomy_remarks import bent_explains, unlike_anatomy
-from exoid.fitting.result.remarks.leaning import Leaning
+from exoid.fitting.result.remarks.zero.leaning import Leaning
 from exoid.fitting.solve.problem import Problem
 
 TORQUE = "torque_over_inertia"

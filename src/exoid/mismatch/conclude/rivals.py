@@ -7,8 +7,8 @@ import numpy as np
 
 from exoid.fitting.result.fit_result import RIVALS, Estimate, FitResult
 from exoid.fitting.result.mountings import numbers_at
-from exoid.fitting.result.remarks.leaning import BENT
-from exoid.fitting.result.remarks.slack_angle import leaning
+from exoid.fitting.result.remarks.zero.leaning import BENT
+from exoid.fitting.result.remarks.zero.slack_angle import leaning
 from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect, Verdict
 from exoid.mismatch.conclude.numbers import moved, parameters_of
 from exoid.mismatch.evidence.yardstick import APART

@@ -7,8 +7,8 @@ from typing import Any
 
 from exoid.fitting.result.fit_result import RIVALS, Estimate, FitResult
 from exoid.fitting.result.refused.without_numbers import without_numbers
-from exoid.fitting.result.remarks.leaning import BENT
-from exoid.fitting.result.remarks.slack_angle import TOLD
+from exoid.fitting.result.remarks.zero.leaning import BENT
+from exoid.fitting.result.remarks.zero.slack_angle import TOLD
 from exoid.physics.term import name_of
 from exoid.report.saved.saved_result import SavedResult
 

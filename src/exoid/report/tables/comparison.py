@@ -8,7 +8,7 @@ from rich.console import Console
 
 from exoid.files.counted import counted
 from exoid.fitting.result.fit_result import Estimate
-from exoid.fitting.result.remarks.slack_angle import TOLD
+from exoid.fitting.result.remarks.zero.slack_angle import TOLD
 from exoid.report.document.fit_json import entry
 from exoid.report.document.plain_json import plain
 from exoid.report.saved.saved_result import SavedResult

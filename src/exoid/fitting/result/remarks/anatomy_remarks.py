@@ -3,7 +3,7 @@
 import numpy as np
 
 from exoid.fitting.model.belief import Belief
-from exoid.fitting.result.remarks.leaning import Leaning
+from exoid.fitting.result.remarks.zero.leaning import Leaning
 from exoid.physics.anatomy.expected import STRANGE, ExpectedLeg
 from exoid.physics.leg import GRAVITY
 

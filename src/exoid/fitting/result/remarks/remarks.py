@@ -3,46 +3,26 @@
 import numpy as np
 
 from exoid.fitting.data.conditioning_chain import SteadyKalman
-from exoid.fitting.data.movement import all_driven
-from exoid.fitting.misfit.disturbance.explain import CORRELATED
-from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
-from exoid.fitting.model.belief import Belief
+from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.multistart.search_result import FEASIBLE, SearchResult, scale_told
 from exoid.fitting.result.remarks.gyro_remarks import (
     how_late,
     of_late_gyro,
     of_unused_gyro,
 )
+from exoid.fitting.result.remarks.limit_remarks import of_bounds
 from exoid.fitting.result.remarks.noise_remarks import noise_remarks
+from exoid.fitting.result.remarks.residual_remarks import of_kinds, of_residual
 from exoid.fitting.result.remarks.stopped_remarks import of_stopped
+from exoid.fitting.result.remarks.upwards_remarks import of_impossible
 from exoid.fitting.solve.problem import Problem
-from exoid.physics.leg import LegParameters
-from exoid.physics.parameter import declarations
 from exoid.physics.sensing.butterworth_filter import ButterworthFilter
 from exoid.physics.sensing.first_order_filter import FirstOrderFilter
 from exoid.physics.sensing.sensor_skew import SensorSkew
 from exoid.physics.term import name_of
-from exoid.recordings.conventions.angle_convention import ON_ITS_SIDE
 
-UPWARDS = (
-    "gravity comes out upwards (m l g / J is negative): no leg falls like this. The angle must be "
-    "0 with the knee extended and the shank level, -90 deg hanging, extension positive. Is flexion "
-    'positive in this file? Then say flip="angle" (flip="all" with a gyro of the same sign). Is 0 '
-    'the hanging leg? Then say zero="hanging".'
-)
-NO_RIG = (
-    "gravity would pull upwards: of this rig a spring and gravity are not told apart. Where no "
-    'spring is, say [subject] spring = "none"'
-)
-REACH = "J <= reach m l"
-RULES = {
-    "m l^2 <= J": "that J of a rigid leg is at least m l^2",
-    REACH: "that J / (m l) of a leg is no longer than the leg from knee to toe",
-}
 LATE = (SensorSkew, FirstOrderFilter, ButterworthFilter)  # terms of a sensor that comes late
-SLIGHT = 1e-3  # of m l g, below which an unknown torque changes no number that anybody reads
 ASK_DIAGNOSE = "; 'exoid diagnose' asks what the model lacks"
-INCOMPLETE = "no error bar of a model that misses something is complete"
 
 
 def as_taken(problem: Problem, found: Disturbance) -> list[str]:
@@ -100,11 +80,6 @@ def remarks(
             "tau and tau / J are means over the voluntary segments, each with its own effort."
         )
     return said
-
-
-def of_impossible(problem: Problem, ended: SearchResult) -> list[str]:
-    """That no rig falls like this."""
-    return [f"m l g / J and c / J: {NO_RIG}."] if upside_down(problem, ended) else []
 
 
 def of_filter(problem: Problem) -> list[str]:
@@ -166,21 +141,6 @@ def of_kept(problem: Problem) -> list[str]:
     ]
 
 
-def upwards(problem: Problem, ended: SearchResult) -> bool:
-    """Does gravity come out upwards, of a leg that nothing but gravity moved?"""
-    return (
-        float(ended.best.coordinates.shared.gravity[0]) < 0
-        and not problem.belief.rig
-        and all(each.kind == "passive" for each in problem.movements)
-    )
-
-
-def upside_down(problem: Problem, ended: SearchResult) -> bool:
-    """Does gravity come out upwards, of a rig that was not driven all the time?"""
-    gravity = float(ended.best.coordinates.shared.gravity[0])
-    return problem.belief.rig and not all_driven(problem.movements) and gravity < 0
-
-
 def of_astray(why: str, problem: Problem) -> list[str]:
     """That the simulation does not follow the recording, and what to do."""
     belief, several = problem.belief, len(problem.recordings) > 1
@@ -200,137 +160,3 @@ def of_astray(why: str, problem: Problem) -> list[str]:
 def models_lateness(problem: Problem) -> bool:
     """Has the model a term for a sensor that comes late?"""
     return any(each in LATE for each in problem.terms)
-
-
-def of_kinds(found: Disturbance) -> list[str]:
-    """Which kind of segment is believed, where kinds are weighed differently."""
-    if not found.apart:
-        return []
-    trusted = [kind for kind, scale in found.scales.items() if scale == 1.0]
-    others = [
-        f"those of the {kind} ones are divided by {scale:.2g}"
-        for kind, scale in found.scales.items()
-        if kind not in trusted
-    ]
-    return [
-        "what the model misses differs from kind to kind of segment, and each is weighed by its "
-        f"own: the residuals of the {' and '.join(trusted)} segments count as they are, "
-        f"{', '.join(others)}. 'set by' names the kind that told a number."
-    ]
-
-
-def of_residual(
-    found: Disturbance, gravity: float, inertia: float | None, unit: float
-) -> list[str]:
-    """What besides the declared noise is in the residuals, and what that does to the errors.
-
-    `gravity` is m l g / J [1/s^2]; `inertia` None where J is not known; `unit` that of the
-    residuals over the noise.
-    """
-    noisy = of_noisy_torque(found, gravity)
-    if len(set(found.kinds.values())) == 1:
-        missed = next(iter(found.kinds.values()))
-        return of_missed(missed, "the residual", gravity, inertia, unit) + noisy
-    return [
-        sentence
-        for kind, each in found.kinds.items()
-        for sentence in of_missed(each, f"the residual of {kind} segments", gravity, inertia, unit)
-    ] + noisy
-
-
-def of_noisy_torque(found: Disturbance, gravity: float) -> list[str]:
-    """What it means where the noise of a measured torque would look alike: a simulation that such
-    noise drives strays less the heavier its leg is.
-    """
-    missed = found.kinds.get("measured")
-    if missed is None or missed.cause != "torque" or slight(missed, gravity):
-        return []
-    if missed.correlation_time > CORRELATED[0]:
-        return []
-    return [
-        "noise of the measured torque looks like that, too. It makes J too large and the ratios to "
-        "it too small, by more than ± says where the leg is led slowly and evenly, as by a stiff "
-        "motor: move it quicker and less evenly, or measure the torque with less noise."
-    ]
-
-
-def slight(found: Missed, gravity: float) -> bool:
-    """Is what is missed a torque that matters to nobody, beside m l g over J [1/s^2]?"""
-    return found.cause == "torque" and found.deviation < SLIGHT * abs(gravity)
-
-
-def of_missed(
-    found: Missed, where: str, gravity: float, inertia: float | None, unit: float
-) -> list[str]:
-    """The same of one kind of segment, or of all."""
-    over = f"varying within about {found.correlation_time:g} s"
-    if found.correlation_time == CORRELATED[0]:
-        over = "varying from moment to moment"
-    widened = f"Errors are widened for it; {INCOMPLETE}, and 'exoid diagnose' asks what it misses."
-    if found.cause == "torque":
-        each = [f"{100 * found.deviation / abs(gravity):.2g} % of m l g"] if gravity else []
-        each += [] if inertia is None else [f"{found.deviation * inertia:.2g} N m"]
-        share = ", ".join(each) or f"{found.deviation:.2g} rad/s^2 times J"
-        if slight(found, gravity):
-            return [
-                f"{where} holds a little more than the sensors' noise, as an unknown torque of "
-                f"about {share}, {over}, would leave it. Errors are widened for it."
-            ]
-        return [
-            f"{where} is more than the sensors' noise: the model misses something. It is what "
-            f"an unknown torque of about {share}, {over}, would leave. {widened}"
-        ]
-    if found.cause == "encoder":
-        return [
-            f"{where} is more than the sensors' noise: it is what an encoder that errs by "
-            f"about {np.degrees(found.deviation):.2g} deg, {over}, or a thigh or base that turns "
-            f"under it, would leave. {widened}"
-        ]
-    if found.noise > max(NOISY / unit, 1.0):  # 1 where it is not larger, or is less
-        return [
-            f"{where} is white but {found.noise * unit:.3g} times the noise that is declared, or "
-            "that neighbouring samples show, and standard errors are widened by that: check noise "
-            "levels and time stamps."
-        ]
-    return []
-
-
-def of_bounds(problem: Problem, at_bound: set[str]) -> list[str]:
-    """Which limits decided, and what to do."""
-    said, belief = [], problem.belief
-    limits = belief.limits
-    for name, declared in declarations(LegParameters):
-        if name in at_bound and not belief.rig:
-            low, high = (float(getattr(each, name)) for each in (limits.lower, limits.upper))
-            said.append(
-                f"{declared.symbol} ran into its limits of {low:.3g} to {high:.3g} {declared.unit} "
-                f"({whose(belief, name)}). Absolute values that go with it follow from that limit, "
-                "not from the recording: use the ratios."
-            )
-    for rule in RULES:
-        if rule in at_bound:
-            weak = f" Gravity turns no leg that hangs so little. {ON_ITS_SIDE}" * (rule == REACH)
-            said.append(f"the fit lies on the limit {RULES[rule]} ({rule}).{weak}")
-    return said
-
-
-def limits_met(problem: Problem, at_bound: set[str]) -> list[str]:
-    """The limits of a leg that decided, by their symbols; that damping is not negative is none."""
-    if problem.belief.rig:
-        return []
-    held = [
-        declared.symbol
-        for name, declared in declarations(LegParameters)
-        if name in at_bound and name != "damping"
-    ]
-    return [*held, *(f"the limit {words}" for rule, words in RULES.items() if rule in at_bound)]
-
-
-def whose(belief: Belief, name: str) -> str:
-    """Where a limit comes from."""
-    if name in belief.by_hand.bound:
-        return "yours"
-    if belief.bounds == "paper":
-        return "Eq. 13"
-    unknown = belief.expected is None or belief.untabled
-    return "any human's" if unknown else "what a leg of this body can have"

@@ -21,7 +21,7 @@ from exoid.fitting.model.coordinates import (
     unflattened,
 )
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.result.remarks.leaning import BENT, LEANING, Leaning
+from exoid.fitting.result.remarks.zero.leaning import BENT, LEANING, Leaning
 from exoid.fitting.solve.ask import grams_at
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.term import name_of

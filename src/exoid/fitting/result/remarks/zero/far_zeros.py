@@ -3,7 +3,7 @@
 import numpy as np
 
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.result.remarks.tilt_or_zero import either
+from exoid.fitting.result.remarks.zero.tilt_or_zero import either
 from exoid.fitting.solve.problem import Problem
 
 FAR = 4.0  # standard deviations of what was assumed: one recording in 16,000 by chance

@@ -1,0 +1,102 @@
+"""What besides the declared noise a fit leaves, in sentences."""
+
+import numpy as np
+
+from exoid.fitting.misfit.disturbance.explain import CORRELATED
+from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
+
+SLIGHT = 1e-3  # of m l g, below which an unknown torque changes no number that anybody reads
+INCOMPLETE = "no error bar of a model that misses something is complete"
+
+
+def of_residual(
+    found: Disturbance, gravity: float, inertia: float | None, unit: float
+) -> list[str]:
+    """What besides the declared noise is in the residuals, and what that does to the errors.
+
+    `gravity` is m l g / J [1/s^2]; `inertia` None where J is not known; `unit` that of the
+    residuals over the noise.
+    """
+    noisy = of_noisy_torque(found, gravity)
+    if len(set(found.kinds.values())) == 1:
+        missed = next(iter(found.kinds.values()))
+        return of_missed(missed, "the residual", gravity, inertia, unit) + noisy
+    return [
+        sentence
+        for kind, each in found.kinds.items()
+        for sentence in of_missed(each, f"the residual of {kind} segments", gravity, inertia, unit)
+    ] + noisy
+
+
+def of_noisy_torque(found: Disturbance, gravity: float) -> list[str]:
+    """What it means where the noise of a measured torque would look alike: a simulation that such
+    noise drives strays less the heavier its leg is.
+    """
+    missed = found.kinds.get("measured")
+    if missed is None or missed.cause != "torque" or slight(missed, gravity):
+        return []
+    if missed.correlation_time > CORRELATED[0]:
+        return []
+    return [
+        "noise of the measured torque looks like that, too. It makes J too large and the ratios to "
+        "it too small, by more than ± says where the leg is led slowly and evenly, as by a stiff "
+        "motor: move it quicker and less evenly, or measure the torque with less noise."
+    ]
+
+
+def slight(found: Missed, gravity: float) -> bool:
+    """Is what is missed a torque that matters to nobody, beside m l g over J [1/s^2]?"""
+    return found.cause == "torque" and found.deviation < SLIGHT * abs(gravity)
+
+
+def of_missed(
+    found: Missed, where: str, gravity: float, inertia: float | None, unit: float
+) -> list[str]:
+    """The same of one kind of segment, or of all."""
+    over = f"varying within about {found.correlation_time:g} s"
+    if found.correlation_time == CORRELATED[0]:
+        over = "varying from moment to moment"
+    widened = f"Errors are widened for it; {INCOMPLETE}, and 'exoid diagnose' asks what it misses."
+    if found.cause == "torque":
+        each = [f"{100 * found.deviation / abs(gravity):.2g} % of m l g"] if gravity else []
+        each += [] if inertia is None else [f"{found.deviation * inertia:.2g} N m"]
+        share = ", ".join(each) or f"{found.deviation:.2g} rad/s^2 times J"
+        if slight(found, gravity):
+            return [
+                f"{where} holds a little more than the sensors' noise, as an unknown torque of "
+                f"about {share}, {over}, would leave it. Errors are widened for it."
+            ]
+        return [
+            f"{where} is more than the sensors' noise: the model misses something. It is what "
+            f"an unknown torque of about {share}, {over}, would leave. {widened}"
+        ]
+    if found.cause == "encoder":
+        return [
+            f"{where} is more than the sensors' noise: it is what an encoder that errs by "
+            f"about {np.degrees(found.deviation):.2g} deg, {over}, or a thigh or base that turns "
+            f"under it, would leave. {widened}"
+        ]
+    if found.noise > max(NOISY / unit, 1.0):  # 1 where it is not larger, or is less
+        return [
+            f"{where} is white but {found.noise * unit:.3g} times the noise that is declared, or "
+            "that neighbouring samples show, and standard errors are widened by that: check noise "
+            "levels and time stamps."
+        ]
+    return []
+
+
+def of_kinds(found: Disturbance) -> list[str]:
+    """Which kind of segment is believed, where kinds are weighed differently."""
+    if not found.apart:
+        return []
+    trusted = [kind for kind, scale in found.scales.items() if scale == 1.0]
+    others = [
+        f"those of the {kind} ones are divided by {scale:.2g}"
+        for kind, scale in found.scales.items()
+        if kind not in trusted
+    ]
+    return [
+        "what the model misses differs from kind to kind of segment, and each is weighed by its "
+        f"own: the residuals of the {' and '.join(trusted)} segments count as they are, "
+        f"{', '.join(others)}. 'set by' names the kind that told a number."
+    ]
