@@ -74,7 +74,7 @@ def test_a_term_that_the_tool_has_nothing_for_is_refused_by_name(command, saved,
 
     import jax.numpy as jnp
 
-    from exoid.fitting.result.fit_result import Estimate
+    from exoid.fitting.result.estimates.estimate import Estimate
     from exoid.physics.terms.tissue.hysteresis import Hysteresis
 
     result = exoid.load_result(saved / "leg.nc").result

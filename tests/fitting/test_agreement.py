@@ -7,7 +7,7 @@ import pytest
 
 from exoid.fitting.misfit.missed import Disturbance, Missed
 from exoid.fitting.result.agreement import astray, of_the_rest, of_unlike
-from exoid.fitting.result.fit_result import SegmentFit
+from exoid.fitting.result.segment_fit import SegmentFit
 
 TIME = np.arange(300) * 0.01
 SWING = -1.3 + 1.0 * np.exp(-0.5 * TIME) * np.cos(5.4 * TIME)  # moves by 25 deg

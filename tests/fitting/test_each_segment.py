@@ -15,7 +15,7 @@ from exoid.fitting.each_segment import (
 )
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.averaged import averaged
-from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.physics.leg import GRAVITY, LegModel
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.torque import NoTorque

@@ -14,7 +14,7 @@ from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.systematics import Systematics
 from exoid.fitting.movements import movements_of
-from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.remarks.added_mass_remarks import acting, same_swing
 from exoid.fitting.result.remarks.anatomy_remarks import at_rate, length_of, of_anatomy
 from exoid.fitting.result.remarks.scale_remarks import POUND, away, of_scale

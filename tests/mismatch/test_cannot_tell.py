@@ -8,7 +8,7 @@ import pytest
 from exoid.fitting.data.observe import observe
 from exoid.fitting.data.segment import movement
 from exoid.fitting.model.prior_and_limits import believe
-from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.conclude.verdict.cannot_tell import chance, faint, luck, unlike_a_leg, vague
 from exoid.mismatch.conclude.verdict.in_few_segments import alone_in, why

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from found_by_hand import NOTHING, explaining, found_of, leaving, sprung
 
-from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.mismatch.conclude.asserted import (
     at_its_most,
     certain_of,

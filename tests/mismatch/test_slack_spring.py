@@ -4,7 +4,7 @@ from functools import partial
 
 import pytest
 
-from exoid.fitting.result.fit_result import RIVALS
+from exoid.fitting.result.estimates.estimate import RIVALS
 from exoid.fitting.result.mountings import numbers_at
 from exoid.fitting.result.remarks.zero.leaning import BENT
 from exoid.fitting.result.remarks.zero.slack_angle import leaning

@@ -11,7 +11,7 @@ from diagnosis_by_hand import doubtful, found, nothing, novel
 from rich.console import Console
 
 from exoid.fitting.misfit.uncertainty import Shares
-from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.remarks.remarks import ASK_DIAGNOSE
 from exoid.mismatch.answer.diagnosis import Booked, Finding, NovelTorque, Parameter, Suspect
 from exoid.mismatch.sensors.agreement import OwnValue, SensorError

@@ -11,7 +11,9 @@ from exoid.fitting.errors.profile import Profile
 from exoid.fitting.misfit.information import common
 from exoid.fitting.misfit.missed import Missed
 from exoid.fitting.misfit.uncertainty import HELD, Shares
-from exoid.fitting.result.fit_result import Estimate, FitResult, MultistartReport, SegmentFit
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.fit_result import FitResult, MultistartReport
+from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.report.document.fit_json import fit_document
 from exoid.report.document.plain_json import write_json
 

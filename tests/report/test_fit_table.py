@@ -14,7 +14,8 @@ from test_fit_json import fitted
 
 from exoid.files.counted import counted
 from exoid.fitting.misfit.uncertainty import Shares
-from exoid.fitting.result.fit_result import Estimate, MountingFit
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.fit_result import MountingFit
 from exoid.physics.leg import LegParameters
 from exoid.report.tables.fit import print_fit
 from exoid.report.words.text import MOST_DIGITS, exponent, in_degrees, shortened, with_error

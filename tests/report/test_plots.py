@@ -12,7 +12,9 @@ from exoid.fitting.errors.profile import Profile
 from exoid.fitting.misfit.information import common
 from exoid.fitting.misfit.missed import Missed
 from exoid.fitting.misfit.uncertainty import HELD, Shares
-from exoid.fitting.result.fit_result import Estimate, FitResult, MultistartReport, SegmentFit
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.fit_result import FitResult, MultistartReport
+from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.report.pictures.axis import readable, view
 from exoid.report.pictures.determined import SOURCES
 from exoid.report.pictures.motion import SHOWN, chosen_segments

@@ -11,7 +11,8 @@ from rich.console import Console
 from test_fit_json import BY_DATA, fitted
 
 from exoid.fitting.misfit.missed import Disturbance, Missed
-from exoid.fitting.result.fit_result import RIVALS, Estimate, MountingFit
+from exoid.fitting.result.estimates.estimate import RIVALS, Estimate
+from exoid.fitting.result.fit_result import MountingFit
 from exoid.report.document.fit_json import fit_document
 from exoid.report.saved.saved_result import SavedResult, load_result, save_result
 from exoid.report.tables.compare import ComparedQuantity, compare

@@ -9,7 +9,7 @@ from page_cases import made_up
 from test_fit_json import common
 
 from exoid.fitting.misfit.missed import Missed
-from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.recordings.conventions.left_out.lost_time import TIME_LOST
 from exoid.report.sections.summary import agreement, believed, recording, summary
 

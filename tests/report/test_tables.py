@@ -13,7 +13,8 @@ from rich.console import Console
 from test_fit_json import fitted
 
 from exoid.fitting.misfit.uncertainty import Shares
-from exoid.fitting.result.fit_result import Estimate, FitResult
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Booked, Suspect
 from exoid.report.page import build_page
 from exoid.report.sections.parameters import parameters_of

@@ -4,7 +4,7 @@ import pytest
 from markupsafe import Markup
 
 from exoid.fitting.model.user_values import DECLARED
-from exoid.fitting.result.estimates import RATIOS
+from exoid.fitting.result.estimates.ratios import RATIOS
 from exoid.fitting.result.mountings import MOUNTING
 from exoid.pendulum.catalogue import MEASURES
 from exoid.report.words.typeset import GREEK, formula, mathtext, typeset

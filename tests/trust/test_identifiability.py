@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.estimate import fit
-from exoid.fitting.result.fit_result import RIVALS, Estimate
+from exoid.fitting.result.estimates.estimate import RIVALS, Estimate
 from exoid.recordings.measured.segment import Segment
 from exoid.trust.directions import in_words
 from exoid.trust.identify import identify, scale_remark

@@ -11,7 +11,8 @@ from scipy.stats import truncnorm
 
 import exoid
 from exoid.fitting.estimate import fit
-from exoid.fitting.result.fit_result import Estimate, FitResult
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.fit_result import FitResult
 from exoid.physics.leg import LegModel
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.torque import NoTorque

@@ -20,9 +20,11 @@ from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.term_parameters import ratio_name
 from exoid.fitting.movements import left_out, movements_in
 from exoid.fitting.result.averaged import averaged, mean_slack
-from exoid.fitting.result.estimates import Found, parameter_estimate, with_reasons
-from exoid.fitting.result.fit_result import Estimate, FitResult
-from exoid.fitting.result.untold import UNLIKE_ITS_BODY
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.estimates.found import Found
+from exoid.fitting.result.estimates.parameters import parameter_estimate
+from exoid.fitting.result.estimates.scale import UNLIKE_ITS_BODY, with_reasons
+from exoid.fitting.result.fit_result import FitResult
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term, name_of

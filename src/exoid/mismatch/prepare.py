@@ -14,7 +14,8 @@ from exoid.fitting.model.systematics import OF_THE_GYRO, OWNED
 from exoid.fitting.multistart.starts import first_state, usual_mounting
 from exoid.fitting.multistart.tethers import tethers
 from exoid.fitting.result.agreement import elsewhere
-from exoid.fitting.result.fit_result import FitResult, pooled
+from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.result.segment_fit import pooled
 from exoid.fitting.solve.ask import take
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem

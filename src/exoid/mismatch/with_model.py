@@ -11,7 +11,8 @@ from exoid.fitting.estimate import fit
 from exoid.fitting.model import term_parameters
 from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
 from exoid.fitting.result.agreement import astray
-from exoid.fitting.result.fit_result import Estimate, FitResult
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.limiting_systematics import limited_anew
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter, just_made
 from exoid.mismatch.conclude.asserted import same_cause

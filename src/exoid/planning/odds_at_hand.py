@@ -6,7 +6,8 @@ from itertools import combinations
 import numpy as np
 
 from exoid.fitting.model.term_parameters import parameters_of
-from exoid.fitting.result.fit_result import FitResult, SegmentFit
+from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.mismatch.evidence.measure import long_run
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.planning.expected_odds import DECISIVE

@@ -3,7 +3,8 @@
 from exoid.fitting.model.assumptions import Assumptions
 from exoid.fitting.model.systematics import PLACED, WEIGHED
 from exoid.fitting.model.term_parameters import parameters_of, ratio_name, ratio_unit
-from exoid.fitting.result.estimates import MASS_AND_DISTANCE, RATIOS
+from exoid.fitting.result.estimates.ratios import RATIOS
+from exoid.fitting.result.estimates.scale import MASS_AND_DISTANCE
 from exoid.fitting.result.fit_result import FitResult
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations

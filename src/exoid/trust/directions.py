@@ -6,8 +6,8 @@ from types import MappingProxyType
 import numpy as np
 
 from exoid.fitting.misfit.uncertainty import HELD, Information, determined, inverse_times
-from exoid.fitting.result.estimates import RATIOS
-from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.estimates.ratios import RATIOS
 from exoid.trust.identifiability import Changes, Direction
 
 SHIFT = 0.10  # relative change by which an exact direction is put into words

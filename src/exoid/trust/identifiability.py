@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from jaxtyping import Float
 
-from exoid.fitting.result.fit_result import Estimate
-from exoid.trust.not_found import Limit
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.trust.limit import Limit
 
 MIRRORED = 0.05  # odd part over the whole, below which a motion counts as its own mirror image
 

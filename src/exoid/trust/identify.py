@@ -12,8 +12,10 @@ import numpy as np
 from exoid.fitting.errors.profile import named, weights_of
 from exoid.fitting.misfit.neighbourhood import columns
 from exoid.fitting.misfit.uncertainty import HELD, Information, inverse_times
-from exoid.fitting.result.fit_result import RIVALS, Basis, Estimate, FitResult
-from exoid.fitting.result.untold import MISPLACED
+from exoid.fitting.result.estimates.basis import Basis
+from exoid.fitting.result.estimates.estimate import RIVALS, Estimate
+from exoid.fitting.result.estimates.scale import MISPLACED
+from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.ask import take
 from exoid.trust.directions import listed, null_directions, weak_directions
 from exoid.trust.identifiability import Identifiability, Reversal

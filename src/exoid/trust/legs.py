@@ -9,7 +9,7 @@ from exoid.fitting.multistart.simpler_problems import with_inertia_kept
 from exoid.fitting.multistart.starts import usual_mounting
 from exoid.fitting.multistart.tethers import FINE
 from exoid.fitting.multistart.weight_by_kind import explained
-from exoid.fitting.result.estimates import RATIOS
+from exoid.fitting.result.estimates.ratios import RATIOS
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.ask import advance, around, take, task
 from exoid.fitting.solve.problem import Problem

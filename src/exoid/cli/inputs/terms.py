@@ -170,7 +170,7 @@ def body_in(saved) -> dict[str, float]:
 
 def undecided_in(saved, path: Path) -> str | None:
     """What to say of a fit whose terms a saved diagnosis named without telling them from others."""
-    from exoid.fitting.result.fit_result import RIVALS
+    from exoid.fitting.result.estimates.estimate import RIVALS
 
     found = saved.diagnosis
     after = found.after if found else None

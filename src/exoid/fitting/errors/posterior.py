@@ -22,8 +22,9 @@ from exoid.fitting.model.constraint import violations_at
 from exoid.fitting.model.coordinates import Coordinates, quantities
 from exoid.fitting.model.term_parameters import parameters_of, ratio_name, ratio_unit
 from exoid.fitting.model.user_values import DECLARED
-from exoid.fitting.result.estimates import RATIOS
-from exoid.fitting.result.fit_result import Basis, FitResult
+from exoid.fitting.result.estimates.basis import Basis
+from exoid.fitting.result.estimates.ratios import RATIOS
+from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.mountings import FIELDS, MOUNTING, outside
 
 PACKAGES = ("blackjax", "arviz", "h5netcdf")

@@ -17,8 +17,10 @@ from exoid.fitting.misfit.neighbourhood import penalties, weighed
 from exoid.fitting.misfit.uncertainty import decomposed, spread
 from exoid.fitting.model.coordinates import Coordinates, flattened, scaled, unflattened, unscaled
 from exoid.fitting.multistart.search_result import FEASIBLE, LIMITED
-from exoid.fitting.result.fit_result import Basis, Estimate, FitResult
-from exoid.fitting.result.untold import UNLIKE
+from exoid.fitting.result.estimates.basis import Basis
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.estimates.scale import UNLIKE
+from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.ask import advance, around, task
 from exoid.fitting.solve.program_values import StartRequest
 

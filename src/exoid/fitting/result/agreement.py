@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.result.fit_result import SegmentFit, pooled
+from exoid.fitting.result.segment_fit import SegmentFit, pooled
 
 ASTRAY = 0.1  # of how far the leg moves, missed beyond the noise: then it is another motion
 ALONE = 0.3  # the same of a single segment: a small one may hold what the model misses

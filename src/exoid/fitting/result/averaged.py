@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.estimates.estimate import Estimate
 
 
 def averaged(each: Sequence[Estimate], owner: Sequence[int]) -> Estimate:

@@ -21,29 +21,26 @@ from exoid.fitting.multistart.pulled_by_declared import led_astray
 from exoid.fitting.multistart.search_result import SAME_LOSS, SearchResult
 from exoid.fitting.result.agreement import astray, believed, of_the_rest, of_unlike
 from exoid.fitting.result.equally_good import equally_good
-from exoid.fitting.result.estimates import (
+from exoid.fitting.result.estimates.basis import Basis
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.estimates.found import mean_of
+from exoid.fitting.result.estimates.parameters import parameter_estimate
+from exoid.fitting.result.estimates.ratios import (
     estimate_moment,
     estimate_ratios,
-    estimate_terms,
-    estimate_torque,
+    label_of,
+    none_of,
+)
+from exoid.fitting.result.estimates.scale import (
     goes_with_mass,
     goes_with_scale,
-    label_of,
-    mean_of,
-    none_of,
-    parameter_estimate,
     with_reasons,
     without_gain,
 )
+from exoid.fitting.result.estimates.terms import estimate_terms
+from exoid.fitting.result.estimates.torque import estimate_torque
 from exoid.fitting.result.find_conditions import find_conditions
-from exoid.fitting.result.fit_result import (
-    Basis,
-    Estimate,
-    FitResult,
-    MountingFit,
-    MultistartReport,
-    SegmentFit,
-)
+from exoid.fitting.result.fit_result import FitResult, MountingFit, MultistartReport
 from exoid.fitting.result.limiting_systematics import granted, limiting, suspicions
 from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings, numbers_at
 from exoid.fitting.result.refused.notes import of_refused
@@ -57,6 +54,7 @@ from exoid.fitting.result.remarks.torque_zero import off_by_torque_zero
 from exoid.fitting.result.remarks.zero.far_zeros import of_far_zeros
 from exoid.fitting.result.remarks.zero.leaning import LEANING, Leaning
 from exoid.fitting.result.remarks.zero.slack_angle import left_open, slack_angle_remarks
+from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.fitting.result.untold import (
     doubted_scale,
     with_slack,

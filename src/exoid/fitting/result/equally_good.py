@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from exoid.fitting.multistart.search_result import SearchResult, scale_told
-from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import GRAVITY
 

@@ -10,7 +10,8 @@ from exoid.fitting.data.movement import Movement
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.model.systematics import OF_THE_TORQUE, SLANT
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.result.fit_result import Estimate, FitResult, MountingFit
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.fit_result import FitResult, MountingFit
 from exoid.fitting.result.remarks.gyro_remarks import scale_of
 from exoid.fitting.result.remarks.zero.tilt_or_zero import either
 from exoid.fitting.solve.problem import Problem

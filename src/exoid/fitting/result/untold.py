@@ -8,31 +8,23 @@ from dataclasses import replace
 
 from exoid.fitting.misfit.uncertainty import HELD
 from exoid.fitting.result.agreement import lost, unbelieved
-from exoid.fitting.result.estimates import SCALE_FREE, without_value
-from exoid.fitting.result.fit_result import Estimate, FitResult, MountingFit, SegmentFit
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.estimates.scale import (
+    MISPLACED,
+    SCALE_FREE,
+    TOGETHER,
+    UNLESS_BENT,
+    UNLIKE,
+    without_value,
+)
+from exoid.fitting.result.fit_result import FitResult, MountingFit
 from exoid.fitting.result.limiting_systematics import chief
 from exoid.fitting.result.remarks.anatomy_remarks import bent_explains, unlike_anatomy
 from exoid.fitting.result.remarks.zero.leaning import Leaning
+from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.fitting.solve.problem import Problem
 
 TORQUE = "torque_over_inertia"
-MISPLACED = (
-    "the distance of the added mass, by which the leg is weighed, does not agree with how it moves"
-)
-UNLIKE = (
-    "no leg of this body, as the tables of anatomy have it, moves like this: a drop with a known "
-    "mass on the leg tells it"
-)
-UNLESS_BENT = (
-    "a leg of this body, as the tables of anatomy have it, moves like this only with a spring that "
-    "is slack in a bent position: 'exoid fit --with stiffness_rest_angle' takes it so, a drop with "
-    "a known mass on the leg tells it"
-)
-UNLIKE_ITS_BODY = UNLIKE, UNLESS_BENT
-TOGETHER = (
-    "the same mass was on in every segment, and nothing tells what it changes: add a drop without "
-    "it, or leave it out of the sidecar, and the ratios are of both together"
-)
 NOTICED = 0.5  # errors of a number, from which on what is left open is told: 12 % of ± together
 GOES = ("over", "times")  # J: what motion alone tells of a parameter that goes with it
 

@@ -9,7 +9,8 @@ from exoid.files.visible import visible
 from exoid.fitting.data.observe import between, is_curved, with_gaps_bridged
 from exoid.fitting.model.term_parameters import term_of
 from exoid.fitting.result.conditions import Conditions
-from exoid.fitting.result.fit_result import FitResult, SegmentFit
+from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.interchange.model.formulas import part_of
 from exoid.interchange.model.joint import Joint, Sensing
 from exoid.interchange.model.numbers import (

@@ -3,15 +3,18 @@
 from collections.abc import Iterable
 from dataclasses import fields, replace
 
-from exoid.fitting.result.estimates import MOMENT
-from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.estimates.ratios import MOMENT
+from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.interchange.model.called import called
 from exoid.interchange.model.joint import Number
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term, name_of
 from exoid.physics.torque import CycleTorque, Torque
-from exoid.trust.not_found import Limit, is_size, not_found
+from exoid.trust.limit import Limit
+from exoid.trust.not_found import is_size, not_found
 
 LEG_RATIOS = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
 DRIVE = ("amplitude", "period", "frequency", "onset")

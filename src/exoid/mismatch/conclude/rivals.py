@@ -5,7 +5,8 @@ from functools import partial
 
 import numpy as np
 
-from exoid.fitting.result.fit_result import RIVALS, Estimate, FitResult
+from exoid.fitting.result.estimates.estimate import RIVALS, Estimate
+from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.mountings import numbers_at
 from exoid.fitting.result.remarks.zero.leaning import BENT
 from exoid.fitting.result.remarks.zero.slack_angle import leaning

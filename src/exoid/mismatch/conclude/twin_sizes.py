@@ -8,8 +8,9 @@ import numpy as np
 
 from exoid.fitting.misfit.uncertainty import Information
 from exoid.fitting.model.term_parameters import ratio_name, ratio_unit
-from exoid.fitting.result.estimates import Found, mean_of
-from exoid.fitting.result.fit_result import Basis, FitResult
+from exoid.fitting.result.estimates.basis import Basis
+from exoid.fitting.result.estimates.found import Found, mean_of
+from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Parameter, Suspect
 from exoid.mismatch.answer.over_inertia import times_inertia
 from exoid.physics.library import library

@@ -5,14 +5,10 @@ from typing import Any
 
 from exoid.fitting.errors.profile import Profile
 from exoid.fitting.misfit.missed import Disturbance, Missed
-from exoid.fitting.result.fit_result import (
-    Estimate,
-    FitResult,
-    MountingFit,
-    MultistartReport,
-    SegmentFit,
-)
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.fit_result import FitResult, MountingFit, MultistartReport
 from exoid.fitting.result.refused.without_numbers import without_numbers
+from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.report.document.plain_json import plain, shown
 from exoid.trust.identifiability import Identifiability
 

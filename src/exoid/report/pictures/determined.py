@@ -3,7 +3,8 @@
 import numpy as np
 
 from exoid.fitting.errors.profile import named
-from exoid.fitting.result.fit_result import Estimate, FitResult
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.fit_result import FitResult
 from exoid.report.pictures.axis import view
 from exoid.report.pictures.panel import Axis, Bars, Note, Panel, Picture, Points
 from exoid.report.pictures.role import Role

@@ -5,7 +5,8 @@ from textwrap import fill
 
 import numpy as np
 
-from exoid.fitting.result.fit_result import FitResult, SegmentFit
+from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.report.pictures.panel import Axis, Band, Line, Mark, Panel, Picture
 from exoid.report.pictures.role import Role
 from exoid.report.words.text import in_degrees

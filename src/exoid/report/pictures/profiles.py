@@ -3,7 +3,7 @@
 import numpy as np
 
 from exoid.fitting.errors.profile import RISE, Profile
-from exoid.fitting.result.estimates import RATIOS
+from exoid.fitting.result.estimates.ratios import RATIOS
 from exoid.report.pictures.axis import Scale, readable, view
 from exoid.report.pictures.panel import Axis, Band, Line, Mark, Note, Panel, Points, Range, Rule
 from exoid.report.pictures.role import Role

@@ -5,7 +5,8 @@ from jaxtyping import Float
 
 from exoid.files.counted import counted
 from exoid.fitting.multistart.search_result import SAME_LOSS
-from exoid.fitting.result.fit_result import Estimate, FitResult, MultistartReport
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.fit_result import FitResult, MultistartReport
 from exoid.report.pictures.axis import view
 from exoid.report.pictures.panel import Axis, Mark, Panel, Picture, Points, Range
 from exoid.report.pictures.role import Role

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from exoid.fitting.result.fit_result import SegmentFit
+from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.report.parts.case import Case
 from exoid.report.pictures.motion import chosen_segments, show_motion
 from exoid.report.sections.blocks import Block, Group, element

@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator
 
-from exoid.fitting.result.fit_result import Estimate, FitResult
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.fit_result import FitResult
 from exoid.report.parts.case import Case
 from exoid.report.pictures.determined import show_parameters
 from exoid.report.sections.blocks import Block, element

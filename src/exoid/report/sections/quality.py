@@ -6,7 +6,7 @@ from math import isnan
 
 from markupsafe import escape
 
-from exoid.fitting.result.fit_result import SegmentFit
+from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.recordings.declared.subject import Subject
 from exoid.report.parts.appraisal import Appraisal, appraise
 from exoid.report.parts.case import Case, Source

@@ -6,7 +6,8 @@ from markupsafe import Markup
 
 from exoid.files.counted import counted
 from exoid.fitting.result.agreement import of_the_rest
-from exoid.fitting.result.fit_result import Estimate, FitResult
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks.residual_remarks import slight
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.recordings.conventions.left_out.lost_time import TIME_LOST

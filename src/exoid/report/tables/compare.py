@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from math import hypot
 from typing import Any
 
-from exoid.fitting.result.fit_result import RIVALS, Estimate, FitResult
+from exoid.fitting.result.estimates.estimate import RIVALS, Estimate
+from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.refused.without_numbers import without_numbers
 from exoid.fitting.result.remarks.zero.leaning import BENT
 from exoid.fitting.result.remarks.zero.slack_angle import TOLD

@@ -7,7 +7,7 @@ from typing import Any
 from rich.console import Console
 
 from exoid.files.counted import counted
-from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.remarks.zero.slack_angle import TOLD
 from exoid.report.document.fit_json import entry
 from exoid.report.document.plain_json import plain

@@ -2,7 +2,8 @@
 
 from rich.console import Console
 
-from exoid.fitting.result.fit_result import RIVALS, FitResult
+from exoid.fitting.result.estimates.estimate import RIVALS
+from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.limiting_systematics import chief
 from exoid.fitting.result.summary import quantities
 from exoid.mismatch.answer.diagnosis import Diagnosis

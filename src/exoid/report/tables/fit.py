@@ -5,9 +5,10 @@ from rich.console import Console
 
 from exoid.files.counted import counted
 from exoid.fitting.result.agreement import of_the_rest
-from exoid.fitting.result.fit_result import FitResult, SegmentFit
+from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.refused.without_numbers import without_numbers
 from exoid.fitting.result.remarks.scale_remarks import of_scale
+from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.fitting.result.summary import quantities
 from exoid.report.tables.leg import (
     BOUND,

@@ -1,6 +1,6 @@
 """An estimate with its error, as every report prints it."""
 
-from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.report.words.text import NOT_DETERMINED, with_error
 
 AT_BOUND = 1e-3  # relative distance within which a value is written as its bound

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from exoid.fitting.result.fit_result import SegmentFit
+from exoid.fitting.result.segment_fit import SegmentFit
 
 TURNING = 0.5  # of a segment's greatest speed, below which it begins at its turn
 TO_TURN = "the first flexion, half a swing"

@@ -3,7 +3,7 @@
 import numpy as np
 
 from exoid.fitting.model.belief import Belief
-from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.remarks.anatomy_remarks import at_rate, from_anatomy, unlike_anatomy
 from exoid.fitting.result.remarks.stopped_remarks import of_stopped
 from exoid.mismatch.conclude.false_alarm import Chance

@@ -4,7 +4,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import isfinite, sqrt
 
-from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.pendulum.drop import Average, Drop, PendulumTest
 from exoid.recordings.landmarks.measure import Measure
