@@ -9,6 +9,8 @@ from exoid.fitting.each_segment import fit_each
 from exoid.fitting.errors.profile import profiles
 from exoid.fitting.estimate import fit
 from exoid.fitting.model.user_values import ByHand, from_sidecar
+from exoid.physics.leg import GRAVITY
+from exoid.recordings.declared.subject import Subject
 from fit_cases import DROP, recorded
 
 SPASTIC = {"mass": 4.5, "inertia": 0.44, "com_distance": 0.26, "damping": 3.0, "stiffness": 2.9}
@@ -76,6 +78,19 @@ def test_a_fixed_parameter_is_exactly_there_and_has_no_error():
     damping = result.parameters["damping"]  # d / J is known to 0.1 %, and so is d now
     assert abs(damping.value - 3.0) < 3 * damping.standard_error < 0.06
     assert damping.determined_by == "data"
+
+
+@pytest.mark.parametrize("starts", [8, 16])
+def test_of_a_rig_the_ratio_tells_inertia_where_mass_and_distance_are_fixed(starts):
+    """J = m l g / (m l g / J), whatever inertia a start begins at: no datum minds another."""
+    bar = {"mass": 1.35, "inertia": 0.173, "com_distance": 0.31, "damping": 0.006, "stiffness": 0.0}
+    drops = recorded(DROP, **bar)
+    swung = replace(drops, subject=Subject(kind="rig", spring="none"))
+    found = fit(swung, multistart=starts, fix={"mass": 1.35, "com_distance": 0.31})
+    inertia, ratio = found.parameters["inertia"], found.ratios["gravity_over_inertia"]
+    assert ratio.value * inertia.value == pytest.approx(1.35 * 0.31 * GRAVITY, rel=1e-5)
+    assert inertia.value == pytest.approx(0.173, abs=4 * inertia.standard_error)
+    assert not [each for each in found.notes if "could not all be met" in each]
 
 
 def test_without_the_spring_the_spring_ratio_is_zero():

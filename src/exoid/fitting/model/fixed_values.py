@@ -11,12 +11,15 @@ from exoid.physics.leg import GRAVITY
 
 
 def imposed(point: Coordinates, fixed: Mapping[str, float]) -> Coordinates:
-    """The nearest point in its own terms: ratios stay unless d or c is fixed, m l unless m and l
-    both are.
+    """The nearest point in its own terms: ratios stay unless d or c is fixed, or J with m and l;
+    m l unless m and l both are.
     """
     shared, log_mass = point.shared, point.log_mass
     if "inertia" in fixed:
         shared = replace(shared, log_inertia=np.full_like(log_mass, np.log(fixed["inertia"])))
+    elif {"mass", "com_distance"} <= set(fixed):
+        moment = fixed["mass"] * fixed["com_distance"] * GRAVITY
+        shared = replace(shared, log_inertia=np.log(moment / np.maximum(shared.gravity, 1.0)))
     inertia = np.exp(shared.log_inertia)
     for name in {"damping", "stiffness"} & set(fixed):
         shared = replace(shared, **{name: fixed[name] / inertia})

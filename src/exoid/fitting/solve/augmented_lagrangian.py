@@ -50,7 +50,8 @@ def minimise(
 
     `residual` returns its value and any detail worth keeping of the last point. `penalty` is rho:
     taken as 100 over the variance of each g, it gains two digits a round. Where it gains less,
-    because other constraints hold that variance down, it grows.
+    because other constraints hold that variance down, it grows; and where a g is not met and no
+    residual minds, as of a limit of what no sample tells.
     """
 
     def penalised(point, weighed):
@@ -88,7 +89,9 @@ def minimise(
         )
         slow = apart & (remaining > SLOW * error)
         still = jnp.all(solution.value == outcome.point)
+        unminded = ~apart & (value > FEASIBLE)
         stiffer = jnp.where(slow, jnp.where(still, STUCK, STIFFER), 1.0) * rho
+        stiffer = jnp.where(unminded, STUCK * rho, stiffer)
         unsettled = (apart.any() & ~still) | (value.max() > FEASIBLE)
         return following, stiffer, remaining, number + 1, unsettled
 
