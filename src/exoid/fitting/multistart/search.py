@@ -18,7 +18,7 @@ from exoid.fitting.multistart.gross_errors import (
 )
 from exoid.fitting.multistart.hold_to_declared import held, without_excuses
 from exoid.fitting.multistart.join_terms import join_terms
-from exoid.fitting.multistart.search_result import SearchResult
+from exoid.fitting.multistart.search_result import LOOKING, SearchResult
 from exoid.fitting.multistart.settle import settle
 from exoid.fitting.multistart.simpler_problems import (
     as_declared,
@@ -124,11 +124,13 @@ def let_go(problem: Problem, gathered: Coordinates, horizon: int) -> Coordinates
     """The same, brought to the first second of the data once more, free of ties.
 
     A tie hides what a leg gets wrong. All of the motion and all that recordings own would make it
-    leap from there, and take many steps to come back.
+    leap from there, and take many steps to come back. What explains the first second by a leg that
+    then runs away, as of a muscle that jerks, stays where it was.
     """
     freer = with_zero_free(without_scale(problem))
     free = advance(freer, gathered, task(problem, 0.0, horizon, COARSE))
-    arrived = np.isfinite(free.loss)
+    whole = advance(freer, free.coordinates, task(problem, 0.0, problem.steps, LOOKING))
+    arrived = np.isfinite(free.loss) & np.isfinite(whole.loss)
 
     def chosen(new: np.ndarray, old: np.ndarray) -> np.ndarray:
         return np.where(arrived.reshape(-1, *[1] * (new.ndim - 1)), new, old)
