@@ -16,9 +16,10 @@ from exoid.fitting.model.systematics import Systematics
 from exoid.fitting.movements import movements_of
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.remarks.added_mass_remarks import acting, same_swing
-from exoid.fitting.result.remarks.anatomy_remarks import at_rate, length_of, of_anatomy
+from exoid.fitting.result.remarks.anatomy_remarks import RARE, at_rate, of_anatomy
 from exoid.fitting.result.remarks.scale_remarks import POUND, away, of_scale
 from exoid.fitting.result.remarks.zero.leaning import LEANING, Leaning
+from exoid.physics.anatomy.likeness import pendulum_length
 from exoid.physics.leg import GRAVITY
 from exoid.recordings.declared.protocol import Protocol
 from exoid.recordings.declared.sensors import Sensors
@@ -103,7 +104,7 @@ def test_the_rate_that_would_explain_a_leg_that_is_none_goes_by_the_root(factor)
     """Times that are `factor` too long make m l g / J smaller by its square."""
     belief = believe(BODY)
     assert belief.expected is not None
-    gravity = GRAVITY / length_of(belief.expected)[0] / factor**2
+    gravity = GRAVITY / pendulum_length(belief.expected).value / factor**2
     assert f"a sampling rate {factor:.2f} ± " in at_rate(belief, gravity)
 
 
@@ -117,8 +118,10 @@ def test_a_spring_slack_in_a_bent_position_is_asked_for_first_where_it_would_do(
     """
     belief = believe(BODY)
     assert belief.expected is not None
-    length, scatter = length_of(belief.expected)
-    times = np.exp((5 if shorter else -5) * scatter)
+    usual = pendulum_length(belief.expected)
+    assert usual.standard_deviation is not None
+    length = usual.value
+    times = np.exp((5 if shorter else -5) * usual.standard_deviation / length)
     gravity = GRAVITY / length * times
     off = -lower * GRAVITY / length * abs(times - 1) / 2
     slack = Leaning({"gravity_over_inertia": off}, 1.0, 0.0, np.inf, shown=False)
@@ -129,6 +132,9 @@ def test_a_spring_slack_in_a_bent_position_is_asked_for_first_where_it_would_do(
     assert said.endswith("holds as well as 'if slack' beside ± says, if times and zero are right.")
     (sure,) = of_anatomy(belief, gravity, None)
     assert sure.endswith("the ratios to J, holds, if times and zero are right.")
+    (vouched,) = of_anatomy(belief, gravity, None, "vouched")
+    assert "sampling rate" not in vouched
+    assert vouched.endswith("the ratios to J, holds, if the zero is right.")
 
 
 SEATED = (26.5, 13.2, 1.6)  # m l g / J and c / J [1/s^2], d / J [1/s]
@@ -156,6 +162,56 @@ def test_times_of_another_rate_are_among_what_may_be_wrong():
     (told,) = (note for note in found.notes if "J / (m l) =" in note)
     rate = float(told.partition("the times (a sampling rate ")[2].partition(" ")[0])
     assert rate == pytest.approx(0.99 * 1.15, abs=0.02)
+
+
+RELAXED = (26.8, 2.7, 0.8)  # m l g / J and c / J [1/s^2], d / J [1/s]
+BY_TIMES = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
+
+
+def by_angle(factor: float, leg=RELAXED, **declared) -> Recording:
+    """A drop by an angle alone, of which the times are told a `factor` too long."""
+    made = drop(leg, -0.35, gyro=False)
+    sensors = Sensors(angle_noise=8e-4, **declared)
+    return recording(replace(made, time=factor * made.time), sensors=sensors)
+
+
+@pytest.mark.parametrize("factor", [1.2, 0.8])
+def test_of_a_leg_that_none_of_its_body_is_errors_hold_that_its_times_may_be_wrong(factor):
+    """120 samples a second, told as 100, or 80."""
+    found = fit(by_angle(factor), multistart=2)
+    assert {each.value for each in found.of_leg.values()} == {None}
+    for name, true in zip(BY_TIMES, RELAXED, strict=True):
+        each = found.ratios[name]
+        assert abs(each.value - true) > 0.15 * true
+        assert abs(each.value - true) < 2.5 * each.standard_error
+        assert each.limited_by["clock"] > 0.9
+    (said,) = (note for note in found.notes if RARE in note)
+    assert "± says, which allows for such times" in said
+    assert not any("times to 0.01 %" in note for note in found.notes)
+
+
+@pytest.mark.parametrize(
+    "made",
+    [
+        by_angle(1.2, clock_uncertainty=1e-4),
+        by_angle(1.0, (24.5, 1.2, 0.8)),  # of a body of which one in a hundred has as slow a leg
+        by_angle(1.0, (75.0, 10.0, 2.0)),  # a stump
+    ],
+)
+def test_of_times_that_somebody_vouches_for_or_that_may_be_right_they_hold_nothing_more(made):
+    each = fit(made, multistart=2).ratios["gravity_over_inertia"]
+    assert each.standard_error < 0.02 * each.value
+
+
+def test_of_times_that_a_gyro_shows_right_nothing_is_said_nor_held():
+    """A leg with a mass at its ankle that nobody declared."""
+    slow = drop((21.0, 2.0, 0.6), -0.35)
+    found = fit(recording(slow), multistart=2)
+    (said,) = (note for note in found.notes if RARE in note)
+    assert "sampling rate" not in said
+    each = found.ratios["gravity_over_inertia"]
+    assert abs(each.value - 21.0) < 4 * each.standard_error
+    assert each.standard_error < 0.02 * each.value
 
 
 def test_a_zero_that_is_far_from_what_was_assumed_is_told():

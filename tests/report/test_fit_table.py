@@ -16,6 +16,7 @@ from exoid.files.counted import counted
 from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.fit_result import MountingFit
+from exoid.fitting.result.remarks.anatomy_remarks import RARE
 from exoid.physics.leg import LegParameters
 from exoid.report.tables.fit import print_fit
 from exoid.report.words.text import MOST_DIGITS, exponent, in_degrees, shortened, with_error
@@ -102,6 +103,14 @@ def test_a_drop_that_a_hand_ended_says_up_to_when_it_is_fitted():
     said = "segment leg 0 from where a hand stopped or lifted it"
     assert line_of("left out", text).split(maxsplit=2)[2].strip() == said
     assert not re.search("left out|^ +from +to ", printed(result), re.MULTILINE)
+
+
+def test_what_hardly_any_leg_of_this_body_does_stands_before_its_numbers():
+    strange = f"by its motion this leg has J / (m l) = 0.561 m: {RARE}."
+    text = printed(replace(fitted(), notes=[strange]))
+    assert text.count("By its motion this leg") == 1
+    assert "by its motion" not in text
+    assert text.index("Check this before you use a number") < text.index("Parameters")
 
 
 def test_piped_output_is_plain():

@@ -10,11 +10,11 @@ from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.prior import no_prior
 from exoid.fitting.model.prior_and_limits import limits_of
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.result.remarks.anatomy_remarks import from_anatomy
+from exoid.fitting.result.remarks.anatomy_remarks import SWING, from_anatomy
+from exoid.fitting.result.untold import if_times_right
 from exoid.physics.anatomy.expected import STRANGE
 from exoid.physics.anatomy.limits import anybody
 
-TELLING = "gravity_over_inertia"
 LEFT_OUT = "none, for the motion speaks against it; expected would be"
 
 
@@ -25,12 +25,12 @@ def strange(result: FitResult) -> bool:
 
 def contradicted(result: FitResult) -> bool:
     """Does the motion contradict the tables of this body, by more than its error?"""
-    return too_short(result, result.ratios[TELLING].standard_error or 0.0)
+    return too_short(result, if_times_right(result).standard_error or 0.0)
 
 
 def too_short(result: FitResult, error: float) -> bool:
     """Is J / (m l) less than that of all but one in a thousand legs of this body?"""
-    gravity = result.ratios[TELLING].value
+    gravity = result.ratios[SWING].value
     if result.basis is None or gravity is None:
         return False
     return from_anatomy(result.basis.problem.belief, gravity, error) < -STRANGE

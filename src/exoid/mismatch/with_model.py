@@ -14,6 +14,7 @@ from exoid.fitting.result.agreement import astray
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.limiting_systematics import limited_anew
+from exoid.fitting.result.untold import if_times_right
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter, just_made
 from exoid.mismatch.conclude.asserted import same_cause
 from exoid.mismatch.conclude.rivals import (
@@ -80,7 +81,7 @@ def doubts(found: Diagnosis, after: FitResult | None) -> list[str]:
             f"but the fit with it stands in another minimum, at {fitted}"
         ]
     if after is not None and after.follows and after.basis is not None:
-        gravity = (each.ratios["gravity_over_inertia"] for each in (found.before, after))
+        gravity = map(if_times_right, (found.before, after))
         return unlike_a_leg(after.basis.problem.belief, *gravity)
     if found.before.follows:
         return []

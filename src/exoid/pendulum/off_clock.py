@@ -12,7 +12,7 @@ from exoid.recordings.declared.sensors import Sensors
 from exoid.recordings.landmarks.measure import Measure
 from exoid.recordings.measured.segment import Segment
 from exoid.recordings.signal.both_sensors.apart_in_scale import apart_in_scale
-from exoid.recordings.signal.both_sensors.sensor_scales import FARTHEST, GYRO_SCALE, SUSPECTED
+from exoid.recordings.signal.both_sensors.sensor_scales import GYRO_SCALE, suspected
 
 BEYOND = 2.0  # times it, within which 19 of 20 gyros are
 POWERS = {"s": 1, "rad/s": -1, "rad/s^2": -2}  # of a second, by unit
@@ -29,7 +29,7 @@ def with_doubted_clock(
     scale = apart_in_scale(segment.time, segment.raw_angle, segment.raw_angular_velocity)
     if sensors.clock_uncertainty is not None or scale is None or abs(scale) < most:
         return measures, None
-    clock = SUSPECTED * min(abs(scale), FARTHEST)
+    clock = suspected(scale)
     return {name: by_clock(each, clock) for name, each in measures.items()}, (
         f"gyro and encoder disagree by {100 * scale:+.0f} % in scale: it is the gyro's, or the "
         "encoder's gain, or the rate of the clock, and no motion tells which. Nothing here is read "

@@ -31,7 +31,7 @@ from exoid.fitting.multistart.weight_by_kind import likelihood
 from exoid.fitting.solve.ask import advance, lowest, take, task, told_at
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
-from exoid.recordings.signal.both_sensors.sensor_scales import FARTHEST, SUSPECTED
+from exoid.recordings.signal.both_sensors.sensor_scales import suspected
 
 CONVINCING = 3.0  # gain of log likelihood from which on a seat is held for tilted
 STEEPEST = np.radians(5.0)  # standard deviation of its tilt
@@ -239,10 +239,10 @@ def with_doubted_clocks(problem: Problem, best: Solved, local: Neighbourhood) ->
     chosen = False
     for entry in undeclared(problem, "clock"):
         value, gradient = gyro_scale(problem, best, local, entry)
-        suspected = SUSPECTED * min(abs(value), FARTHEST)
+        wide = suspected(value)
         error = float(np.sqrt(gradient @ total @ gradient))
-        if abs(value) > DISAGREE * error and suspected > clock[entry]:
-            clock[entry], chosen = suspected, True
+        if abs(value) > DISAGREE * error and wide > clock[entry]:
+            clock[entry], chosen = wide, True
             if scale.size:
                 scale[entry] = max(scale[entry], BEYOND * abs(value))
     return problem.widened(clock=clock, gyro_scale=scale) if chosen else None

@@ -45,7 +45,8 @@ from exoid.fitting.result.limiting_systematics import granted, limiting, suspici
 from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings, numbers_at
 from exoid.fitting.result.refused.notes import of_refused
 from exoid.fitting.result.remarks.added_mass_remarks import misplaced, of_misplaced
-from exoid.fitting.result.remarks.anatomy_remarks import of_anatomy
+from exoid.fitting.result.remarks.anatomy_remarks import SWING, of_anatomy
+from exoid.fitting.result.remarks.doubted_times import as_told, doubted_rate, off_by_times
 from exoid.fitting.result.remarks.limit_remarks import limits_met
 from exoid.fitting.result.remarks.noise_remarks import of_leg_tone, tone_of
 from exoid.fitting.result.remarks.remarks import remarks
@@ -58,6 +59,7 @@ from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.fitting.result.untold import (
     doubted_scale,
     with_slack,
+    with_times,
     without_bare,
     without_lost,
     without_scale,
@@ -135,20 +137,33 @@ def describe(
         basis=basis,
     )
     told = without_bare(without_lost(result), problem)
-    errors = {name: told.ratios[name].standard_error or 0.0 for name in LEANING}
-    errors |= errors_of(told.mountings)
-    numbers = partial(numbers_at, problem)
-    free = basis.information.open
-    slack = left_open(problem, ended, free, errors, numbers) if told.follows else None
+    slack = open_for_slack(told, basis)
     doubt = doubted_scale(told, problem, misplaced(problem, ended), slack)
     if doubt is not None:
         told = without_scale(told, doubt)
-    said = notes(told, basis, at_bound, slack)
     moment = estimate_moment(basis, told.ratios["gravity_over_inertia"], told.parameters["inertia"])
     moment = moment.widened(grown["gravity_over_inertia"])
     by_distance = elsewhere["inertia"] * (ratios["gravity_over_inertia"].value or 0.0)
     moment = moment.widened(by_distance, cause=DISTANCE)
-    return with_slack(replace(told, gravity_moment=moment, notes=said), slack)
+    swing = told.ratios[SWING]
+    rate = 0.0
+    if told.follows and swing.value is not None:
+        rate = doubted_rate(problem, swing.value, swing.standard_error or 0.0, slack)
+    off = off_by_times(problem, ended, rate, partial(numbers_at, problem))
+    told = with_times(replace(told, gravity_moment=moment), off)
+    slack = open_for_slack(told, basis) if rate else slack
+    said = notes(told, basis, at_bound, slack, rate)
+    return with_slack(replace(told, notes=said), slack)
+
+
+def open_for_slack(result: FitResult, basis: Basis) -> Leaning | None:
+    """What is left open for where the knee's spring is slack; None where that is less than ±."""
+    if not result.follows:
+        return None
+    errors = {name: result.ratios[name].standard_error or 0.0 for name in LEANING}
+    errors |= errors_of(result.mountings)
+    numbers = partial(numbers_at, basis.problem)
+    return left_open(basis.problem, basis.ended, basis.information.open, errors, numbers)
 
 
 def errors_of(mountings: list[MountingFit]) -> dict[str, float]:
@@ -167,18 +182,27 @@ def growth(before: Estimate, after: Estimate, inertia: Estimate) -> float:
     return (inertia.value or 0.0) * float(np.sqrt(max(errors[1] ** 2 - errors[0] ** 2, 0.0)))
 
 
-def notes(result: FitResult, basis: Basis, at_bound: set[str], slack: Leaning | None) -> list[str]:
-    """What the user should know of a fit; of one that does not follow what does not hang on it."""
+def notes(
+    result: FitResult,
+    basis: Basis,
+    at_bound: set[str],
+    slack: Leaning | None,
+    rate: float,
+) -> list[str]:
+    """What the user should know of a fit, whose times may be off by a share `rate`; of one that
+    does not follow what does not hang on it.
+    """
     problem, ended = basis.problem, basis.ended
     if result.astray is not None:
         return of_refused(result.astray, problem, ended)
-    known = [*limiting(result), *granted(problem)]
+    known = [*limiting(result), *granted(problem, doubted={"clock"} if rate else set())]
+    gravity, times = float(ended.point.shared.gravity), as_told(problem, rate)
     tone = tone_of(result.segments)
     inertia = result.parameters["inertia"].value
     swung = [] if tone is None else [f"{of_leg_tone(tone, result.ratios, inertia)}. {WIDENED}"]
     return [
         *of_misplaced(problem, ended),
-        *of_anatomy(problem.belief, float(ended.point.shared.gravity), slack),
+        *of_anatomy(problem.belief, gravity, slack, times),
         *of_the_rest(result.segments, ended.disturbance),
         *of_unlike(result.segments, ended.disturbance),
         *swung,

@@ -1,7 +1,7 @@
 """Which systematic limits a number most, and what would narrow it."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import replace
 
 import numpy as np
@@ -13,7 +13,7 @@ from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.fit_result import FitResult, MountingFit
 from exoid.fitting.result.remarks.gyro_remarks import scale_of
-from exoid.fitting.result.remarks.zero.tilt_or_zero import either
+from exoid.fitting.result.remarks.zero.far_zeros import either
 from exoid.fitting.solve.problem import Problem
 
 TAPE = 5e-4  # m, to which a tape's millimetres are read
@@ -149,14 +149,16 @@ def known_to(name: str, one: Movement) -> float:
     return known.torque_zero * known.torque_reach if name == "torque_zero" else getattr(known, name)
 
 
-def granted(problem: Problem) -> list[str]:
-    """How well what no sidecar says is taken to be known, in one sentence."""
+def granted(problem: Problem, doubted: Collection[str] = ()) -> list[str]:
+    """How well what no sidecar says is taken to be known, in one sentence, but for what is
+    `doubted`.
+    """
     said = []
     for name, words, shown in GRANTED:
         each = [
             known_to(name, one)
             for one in problem.movements
-            if name not in one.systematics.declared and applies(name, one)
+            if name not in {*one.systematics.declared, *doubted} and applies(name, one)
         ]
         foot = f" ({BY_A_FOOT})" if name == "tilt" and not problem.belief.rig else ""
         said += [f"{words} to {shown(max(each))}{foot}"] if each else []

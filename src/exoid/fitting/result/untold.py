@@ -3,8 +3,9 @@
 And what stays open for where the knee's spring is slack.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from math import sqrt
 
 from exoid.fitting.misfit.uncertainty import HELD
 from exoid.fitting.result.agreement import lost, unbelieved
@@ -19,7 +20,7 @@ from exoid.fitting.result.estimates.scale import (
 )
 from exoid.fitting.result.fit_result import FitResult, MountingFit
 from exoid.fitting.result.limiting_systematics import chief
-from exoid.fitting.result.remarks.anatomy_remarks import bent_explains, unlike_anatomy
+from exoid.fitting.result.remarks.anatomy_remarks import SWING, bent_explains, unlike_anatomy
 from exoid.fitting.result.remarks.zero.leaning import Leaning
 from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.fitting.solve.problem import Problem
@@ -88,7 +89,7 @@ def doubted_scale(
     a body that the motion speaks against, be it only if its spring is not `slack` in a bent
     position.
     """
-    inertia, gravity = result.parameters["inertia"], result.ratios["gravity_over_inertia"]
+    inertia, gravity = result.parameters["inertia"], result.ratios[SWING]
     most = chief(inertia)
     if misplaced and most is not None and most[0].startswith("added_mass"):
         return MISPLACED
@@ -129,10 +130,30 @@ def without_scale(result: FitResult, why: str) -> FitResult:
 
 def with_slack(result: FitResult, found: Leaning | None) -> FitResult:
     """The result, each number with how far it is open for where the spring is slack."""
-    spread = {} if found is None else found.spread
+    return spread_over(result, {} if found is None else found.spread, if_slack)
+
+
+def with_times(result: FitResult, off: dict[str, float]) -> FitResult:
+    """The result, each number with an error that holds how far it may be `off` by wrong times."""
+    return spread_over(result, off, lambda each, by: each.widened(by, cause="clock"))
+
+
+def if_times_right(result: FitResult) -> Estimate:
+    """m l g / J, its error without what `with_times` adds."""
+    each, basis = result.ratios[SWING], result.basis
+    if basis is None or basis.problem.times_vouched or each.standard_error is None:
+        return each
+    of_times = (each.limited_by or {}).get("clock", 0.0)
+    return replace(each, standard_error=each.standard_error * sqrt(1 - of_times))
+
+
+def spread_over(
+    result: FitResult, far: dict[str, float], change: Callable[[Estimate, float], Estimate]
+) -> FitResult:
+    """The result with a `change` of each number by how `far` it may be off."""
 
     def told(known: dict[str, Estimate], of: str = "") -> dict[str, Estimate]:
-        return {name: if_slack(each, spread.get(of + name, 0.0)) for name, each in known.items()}
+        return {name: change(each, far.get(of + name, 0.0)) for name, each in known.items()}
 
     def of_recording(each: MountingFit) -> MountingFit:
         return replace(each, **told(each.known, f"{each.recording}."))
@@ -144,8 +165,8 @@ def with_slack(result: FitResult, found: Leaning | None) -> FitResult:
         parameters=told(result.parameters),
         ratios=told(result.ratios),
         terms={term: told(own, f"{term}.") for term, own in result.terms.items()},
-        gravity_moment=moment and if_slack(moment, spread.get("gravity_moment", 0.0)),
-        torque_amplitude=torque and if_slack(torque, spread.get("torque_amplitude", 0.0)),
+        gravity_moment=moment and change(moment, far.get("gravity_moment", 0.0)),
+        torque_amplitude=torque and change(torque, far.get("torque_amplitude", 0.0)),
     )
 
 

@@ -119,6 +119,12 @@ class Problem:
         """How well this is known of every recording: one standard deviation."""
         return np.asarray(getattr(self.belief.prior.mounting, name))
 
+    @property
+    def times_vouched(self) -> bool:
+        """Does a gyro show by the same clock how fast all is, or a sidecar say how good that is?"""
+        said = any("clock" in own[0].systematics.declared for own in self.recordings)
+        return said or any(each.gyro_noise for each in self.movements)
+
     def widened(self, **deviations: np.ndarray) -> "Problem":
         """The same with these standard deviations of what recordings own."""
         prior = self.belief.prior

@@ -13,6 +13,7 @@ from exoid.report.document.fit_json import entry
 from exoid.report.document.plain_json import plain
 from exoid.report.saved.saved_result import SavedResult
 from exoid.report.tables.compare import HASHED, ComparedQuantity, Comparison
+from exoid.report.tables.fit import unlike_body
 from exoid.report.tables.leg import in_print
 from exoid.report.tables.same_leg import strangers
 from exoid.report.tables.table import Column, Table, print_table, with_unit
@@ -62,6 +63,8 @@ def print_comparison(found: Comparison, sides: list[SavedResult], console: Conso
         heading(console, f"The {SIDES[number]} fit")
         if not side.result.follows:
             say(console, capital(side.result.notes[0]))
+        for sentence in unlike_body(side.result):
+            say(console, capital(sentence))
         aligned(console, about(side))
     heading(console, "What was asked differently")
     if not found.settings:

@@ -7,6 +7,7 @@ from exoid.files.counted import counted
 from exoid.fitting.result.agreement import of_the_rest
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.refused.without_numbers import without_numbers
+from exoid.fitting.result.remarks.anatomy_remarks import RARE
 from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.fitting.result.summary import quantities
@@ -43,6 +44,10 @@ def print_fit(result: FitResult, console: Console, told: Identifiability | None 
     for sentence in doubted(result):
         heading(console, "Check this before you use a mass or a torque")
         say(console, capital(sentence))
+    strange = unlike_body(result)
+    for sentence in strange:
+        heading(console, "Check this before you use a number")
+        say(console, capital(sentence))
     result = without_numbers(result)
     if result.follows:
         print_numbers(result, console)
@@ -56,7 +61,7 @@ def print_fit(result: FitResult, console: Console, told: Identifiability | None 
     print_segments(result, console)
     print_quality(result, console)
     print_multistart(result, console)
-    note(console, remarks(result))
+    note(console, [each for each in remarks(result) if each not in strange])
 
 
 def print_numbers(result: FitResult, console: Console) -> None:
@@ -83,6 +88,11 @@ def print_astray(result: FitResult, console: Console) -> None:
 def doubted(result: FitResult) -> list[str]:
     """That its masses are hardly those of this body."""
     return of_scale(result.parameters, result.segments) if result.follows else []
+
+
+def unlike_body(result: FitResult) -> list[str]:
+    """That hardly any leg of this body moves like this one."""
+    return [each for each in result.notes if RARE in each] if result.follows else []
 
 
 def print_parameters(result: FitResult, console: Console) -> None:

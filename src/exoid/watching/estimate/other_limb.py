@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import log
 
 import numpy as np
 from jaxtyping import Float
@@ -13,6 +12,7 @@ from exoid.online.model.sample import Sample
 from exoid.online.model.trust import Phase
 from exoid.online.outlook import Outlook
 from exoid.physics.anatomy.expected import STRANGE, ExpectedLeg
+from exoid.physics.anatomy.likeness import away, pendulum_length
 from exoid.physics.leg import GRAVITY
 from exoid.watching.estimate.moment import Moment, Unlike
 from exoid.watching.estimate.online import Belief, at_begin, init, replay
@@ -70,17 +70,16 @@ def as_any_limb(
     if not len(rest):
         return None
     belief, said = replay(belief, Sample(*rest.T), model)
-    away = unlike(expected, float(said.ratios[-1, 0]), float(said.errors[-1, 0]), far)
-    return None if away is None else OtherLimb(belief, said, away)
+    found = unlike(expected, float(said.ratios[-1, 0]), float(said.errors[-1, 0]), far)
+    return None if found is None else OtherLimb(belief, said, found)
 
 
 def unlike(expected: ExpectedLeg, gravity: float, error: float, far: float) -> Unlike | None:
     """How a limb with this m l g / J [1/s^2] differs from its body's; None where it does not."""
-    usual = expected.inertia.value / (expected.mass.value * expected.com_distance.value)
-    scatter = float(np.sqrt(np.array(expected.covariance)[2, 2]))
-    length = GRAVITY / gravity
-    away = abs(log(length / usual)) > far * np.hypot(scatter, error / gravity)
-    return Unlike(length, usual, scatter * usual) if away else None
+    usual = pendulum_length(expected)
+    if abs(away(expected, gravity, error)) <= far:
+        return None
+    return Unlike(GRAVITY / gravity, usual.value, usual.standard_deviation or 0.0)
 
 
 def any_limb(expected: ExpectedLeg) -> ExpectedLeg:

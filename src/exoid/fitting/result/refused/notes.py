@@ -13,10 +13,10 @@ from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.systematics import OF_THE_REST, by_recording
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.refused.own_swing import own_swing, rests
-from exoid.fitting.result.remarks.anatomy_remarks import length_of
 from exoid.fitting.result.remarks.gyro_remarks import scale_of
 from exoid.fitting.result.remarks.remarks import as_taken, of_astray
 from exoid.fitting.solve.problem import Problem
+from exoid.physics.anatomy.likeness import pendulum_length
 from exoid.physics.leg import GRAVITY
 from exoid.recordings.conventions.angle_convention import ON_ITS_SIDE
 
@@ -109,7 +109,7 @@ def of_swing(belief: Belief, movements: Sequence[Movement]) -> list[str]:
         return [f"a spring alone draws this leg, wherever it is. {ON_ITS_SIDE}"]
     if belief.expected is None or belief.expected.covariance is None or not swing.smooth:
         return []
-    usual = GRAVITY / length_of(belief.expected)[0]
+    usual = GRAVITY / pendulum_length(belief.expected).value
     if SLOW * usual < swing.pull < FAST * usual:
         return []
     times = (
