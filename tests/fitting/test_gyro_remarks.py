@@ -20,6 +20,7 @@ from exoid.recordings.declared.protocol import Protocol
 from exoid.recordings.measured.segment import Segment
 from exoid.recordings.recording import Recording
 from hands import ADULT, Device, Hand, dropped
+from legs import fall
 
 MIDDLE, SIZE, DECAY, RATE = -1.3, 0.9, 0.4, 5.5  # rad, rad, 1/s, rad/s
 
@@ -84,6 +85,49 @@ def test_a_thigh_that_rocks_on_is_no_delay_and_what_swings_with_the_leg_may_be_e
     assert "sensor_skew" in said
     assert "sensor_skew' estimates that" in how_late(swing(0.009))
     assert how_late(swing()) is None
+
+
+def beside_gyro(angle: np.ndarray, velocity: np.ndarray):
+    """A drop of which every fourth of these samples at 400 Hz is kept."""
+    random, time = np.random.default_rng(2), 0.0025 * np.arange(angle.size)
+    noisy = angle + 1e-3 * random.standard_normal(angle.size)
+    rate = velocity + 4e-3 * random.standard_normal(angle.size)
+    segment = Segment(time[::4], raw_angle=noisy[::4], raw_angular_velocity=rate[::4])
+    return [movement(Recording((segment,), protocol=Protocol(kind="passive")), 0, "drop 0")]
+
+
+def fused(angle: np.ndarray, velocity: np.ndarray, lasting: float, reach: float) -> np.ndarray:
+    """A complementary filter of the time constant `lasting` [s] makes this of the gyro and of an
+    accelerometer so far [m] below the knee.
+    """
+    change = np.gradient(velocity, 0.0025)
+    along = 9.81 * np.sin(angle) - reach * velocity**2
+    tilt = np.arctan2(along, 9.81 * np.cos(angle) + reach * change)
+    seen, share = [angle[0]], 0.0025 / lasting
+    for rate, shown in zip(velocity[1:], tilt[1:], strict=True):
+        seen.append((1 - share) * (seen[-1] + 0.0025 * rate) + share * shown)
+    return np.array(seen)
+
+
+@pytest.mark.parametrize(("lasting", "reach"), [(0.4, 0.2), (0.8, 0.25), (1.0, 0.12)])
+def test_an_angle_that_is_fused_from_gyro_and_accelerometer_is_told_from_a_delay(lasting, reach):
+    _, angle, velocity = fall(start=-0.3, duration=5.0, step=0.0025)
+    beside = beside_gyro(fused(angle, velocity, lasting, reach), velocity)
+    assert late_gyro(beside) > 0.01
+    (said,) = of_late_gyro(beside)
+    assert "fused from gyro and accelerometer" in said
+    assert "exoid fit --with" not in said
+    assert "neither is late" in how_late(beside)
+
+
+@pytest.mark.parametrize("late", [0.01, 0.03, 0.06, -0.03])
+def test_a_delay_is_not_taken_for_an_angle_that_is_fused(late):
+    time, angle, velocity = fall(start=-0.3, duration=5.0, step=0.0025)
+    beside = beside_gyro(angle, np.interp(time - late, time, velocity))
+    (said,) = of_late_gyro(beside)
+    assert "exoid fit --with" in said
+    assert "neither is late" not in said
+    assert ("fused from" in said) == (late == 0.01)  # too small to be told from that
 
 
 def test_a_raw_gyro_beside_a_filtered_angle_is_said_to_be_unused():

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from exoid.fitting.data.movement import Movement
+from exoid.physics.leg import GRAVITY
 from exoid.recordings.signal.both_sensors.apart_in_scale import apart_in_scale
 from exoid.recordings.signal.condition import SMOOTHING
 from exoid.recordings.signal.local_line import local_line
@@ -13,6 +14,17 @@ MOST = 0.5  # of the squares by which gyro and encoder differ, that their delay 
 # Of a delay, by which it differs from larger to smaller swings: no more than 0.1 of a gyro that is
 # late, 0.3 and more of a thigh that rocks on as the leg's swing becomes smaller.
 UNSTEADY = 0.25
+REACHES = np.arange(0.05, 0.5, 0.1)  # m, from the knee to an accelerometer
+# Of the squares that a delay leaves, what an angle does that is fused: of such angles 0.36 to 1.17,
+# of gyros that are late, or filtered, 1.0 and more, of thighs that move under the encoder 0.94.
+CLEARLY, HARDLY = 0.85, 1.2
+FUSED = (
+    "gyro and angle differ as where the angle is fused from gyro and accelerometer (by the filter "
+    "of a phone or IMU): it follows what the accelerometer takes for the vertical, which a swing "
+    "deceives, so that neither is late, and no term here makes it good. Measure the angle by an "
+    "encoder, or have the filter trust its gyro for longer"
+)
+LIKE_FUSED = "an angle that is fused from gyro and accelerometer looks alike, too"
 FILTERED = 0.01  # s, from where on a filter, which delays and smooths, shows another motion
 
 
@@ -39,12 +51,14 @@ def of_late_gyro(movements: Sequence[Movement]) -> list[str]:
     late = late_gyro(movements)
     if late is None:
         return []
-    if (no_delay := of_rocking(movements)) is not None:
+    if (no_delay := of_no_delay(movements)) is not None:
         return [f"{no_delay}. Errors are widened for it."]
+    fused = f", and {LIKE_FUSED}" if left_fused(movements) < HARDLY else ""
     return [
         f"{lateness(late)}, which is most of how the two differ. Errors are widened for it; "
         f"{remedy(late)} estimates it, and 'exoid diagnose' asks whether it is that. Where the "
-        "encoder shows the knee and the gyro the leg in space, a thigh that rocks looks alike."
+        "encoder shows the knee and the gyro the leg in space, a thigh that rocks looks alike"
+        f"{fused}."
     ]
 
 
@@ -53,7 +67,47 @@ def how_late(movements: Sequence[Movement]) -> str | None:
     late = late_gyro(movements)
     if late is None:
         return None
-    return of_rocking(movements) or f"{lateness(late)}, and {remedy(late)} estimates that"
+    fused = f" ({LIKE_FUSED})" if left_fused(movements) < HARDLY else ""
+    estimated = f"{lateness(late)}, and {remedy(late)} estimates that{fused}"
+    return of_no_delay(movements) or estimated
+
+
+def of_no_delay(movements: Sequence[Movement]) -> str | None:
+    """That gyro and angle differ in time, but as no delay does; None where it may be one."""
+    return FUSED if left_fused(movements) < CLEARLY else of_rocking(movements)
+
+
+def left_fused(movements: Sequence[Movement]) -> float:
+    """The squares that an angle y leaves which is fused from gyro and accelerometer, over those
+    that a delay leaves; infinite where the gyro is early, as beside such an angle none is.
+
+    A complementary filter of the time constant T has y' = v + (a - y) / T, with the angle a that
+    the accelerometer takes for the vertical.
+    """
+    pairs = pairs_of(movements)
+    slope, rate, _ = together = np.concatenate(pairs, axis=1)
+    delay, late = left_late(together)
+    raw = [each for each in movements if each.gyro_noise and not each.filtered]
+    left = np.inf
+    for reach in REACHES:
+        pulled = np.concatenate([pulled_by_tilt(each, reach) for each in raw])
+        squares, found = left_of(rate, np.stack([slope, np.ones_like(slope), -pulled], axis=1))
+        left = min(left, squares if found[-1] > 0 and late > 0 else np.inf)
+    return left / delay
+
+
+def pulled_by_tilt(each: Movement, reach: float) -> np.ndarray:
+    """What an accelerometer so far [m] from the joint takes for the angle, less the angle, smoothed
+    and cut as `pair_of`.
+    """
+    assert each.angular_velocity is not None  # it has a gyro's noise
+    time, rate, angle = each.segment.time, each.angular_velocity, each.angle + each.thigh_angle
+    change = local_line(time, rate, SMOOTHING)[1]
+    along = GRAVITY * np.sin(angle) - reach * rate**2
+    across = GRAVITY * np.cos(angle) + reach * change
+    off = np.arctan2(along, across) - angle
+    off = local_line(time, np.arctan2(np.sin(off), np.cos(off)), SMOOTHING)[0]
+    return off[~np.isnan(each.angle) & ~np.isnan(rate)]
 
 
 def of_rocking(movements: Sequence[Movement]) -> str | None:
