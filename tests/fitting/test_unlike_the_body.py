@@ -187,6 +187,7 @@ def test_of_a_leg_that_none_of_its_body_is_errors_hold_that_its_times_may_be_wro
         assert each.limited_by["clock"] > 0.9
     (said,) = (note for note in found.notes if RARE in note)
     assert "± says, which allows for such times" in said
+    assert ("The tables count for nothing here" in said) == (factor < 1)
     assert not any("times to 0.01 %" in note for note in found.notes)
 
 

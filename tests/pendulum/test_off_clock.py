@@ -81,6 +81,15 @@ def test_times_that_make_a_drop_slower_than_any_leg_of_its_body_are_in_the_error
     assert abs(speed.value - fastest) < 2.5 * speed.standard_error
 
 
+@pytest.mark.parametrize("rate", [1.14, 1.2])
+def test_errors_hold_of_a_slow_drop_what_its_spring_makes_up_for(rate):
+    found, fastest = by_angle(rate)
+    assert "slower than any leg of this body swings" in found.note
+    speed = found.measures["peak_flexion_velocity"]
+    assert abs(rate * speed.value - fastest) < 0.02 * fastest
+    assert abs(speed.value - fastest) < 2 * speed.standard_error
+
+
 def test_times_that_make_a_drop_faster_than_any_whole_leg_are_told():
     found, _ = by_angle(0.6)
     assert "of a stump or a light prosthesis all is well" in found.note

@@ -13,6 +13,7 @@ from test_fit_json import BY_DATA, fitted
 from exoid.fitting.misfit.missed import Disturbance, Missed
 from exoid.fitting.result.estimates.estimate import RIVALS, Estimate
 from exoid.fitting.result.fit_result import MountingFit
+from exoid.fitting.result.remarks.anatomy_remarks import RARE
 from exoid.report.document.fit_json import fit_document
 from exoid.report.saved.saved_result import SavedResult, load_result, save_result
 from exoid.report.tables.compare import ComparedQuantity, compare
@@ -367,6 +368,15 @@ def test_a_comparison_fits_eighty_columns_and_json(sides):
     document = comparison_document(compare(*sides), sides)
     assert json.loads(json.dumps(document, allow_nan=False)) == document
     assert document["quantities"]["inertia"]["difference"] == pytest.approx(0.1)
+
+
+def test_a_comparison_says_of_which_fit_the_leg_is_none_of_its_body(sides):
+    strange = f"by its motion this leg has J / (m l) = 0.49 m: {RARE}."
+    noted = replace(sides[1], result=replace(sides[1].result, notes=[strange]))
+    console = Console(width=80, file=StringIO())
+    print_comparison(compare(sides[0], noted), [sides[0], noted], console)
+    _, second = console.file.getvalue().split("The second fit")
+    assert "By its motion this leg has J / (m l) = 0.49 m" in second
 
 
 def test_fits_that_name_no_recording_are_not_called_of_the_same(tmp_path):

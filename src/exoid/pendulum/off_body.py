@@ -5,6 +5,8 @@ by an angle alone that is drawn back by clearly less has times that are too long
 body; one by far more has times that are too short, or is of a shorter leg.
 """
 
+from math import sqrt
+
 from exoid.pendulum.off_clock import by_clock
 from exoid.physics.anatomy.expect import expected_leg
 from exoid.physics.anatomy.expected import ExpectedLeg
@@ -45,12 +47,12 @@ def with_doubted_times(
     found = None if leg is None else balance(free_part(recording, number))
     if leg is None or found is None or found.explained < EXPLAINED:
         return measures, None
-    times = rate_of(leg, found.pull).value
-    off = off_rate(leg, found.pull, found.pull_error)
-    if off > 0:
-        held = {name: by_clock(each, suspected(off)) for name, each in measures.items()}
+    times, usual = rate_of(leg, found.pull).value, GRAVITY / pendulum_length(leg).value
+    if off_rate(leg, found.pull, found.pull_error) > 0:
+        spring = leg.stiffness.value / leg.inertia.value
+        clock = suspected(sqrt((usual + spring) / found.pull) - 1)
+        held = {name: by_clock(each, clock) for name, each in measures.items()}
         return held, TOO_LONG.format(times=times)
-    usual = GRAVITY / pendulum_length(leg).value
     fast = found.pull - SURE * found.pull_error > FAST * usual
     return measures, TOO_SHORT.format(times=times) if fast else None
 
