@@ -10,6 +10,7 @@ from exoid.fitting.estimate import fit
 from exoid.fitting.hands.first_swing import bottom, fastest
 from exoid.fitting.hands.slow_release import begun
 from exoid.fitting.movements import movements_of
+from exoid.fitting.multistart.settle import settle
 from exoid.mismatch.conclude.verdict.begins_and_ends import begins_and_ends, what_next
 from exoid.mismatch.prepare import prepare
 from exoid.recordings.declared.protocol import Protocol
@@ -65,6 +66,19 @@ def test_what_acts_in_every_swing_is_no_hand():
     assert result.follows
     assert result.disturbance.like("passive").cause == "torque"
     assert slow(result) == [0.0]
+
+
+def test_a_glance_ends_where_its_answer_is_plain(monkeypatch):
+    """What is held closer misses more: only the fit whose numbers are told meets the limits."""
+    seen = []
+
+    def noting(*given):
+        seen.append(given)
+        return settle(*given)
+
+    monkeypatch.setattr("exoid.fitting.multistart.search.settle", noting)
+    fit(dropped(InAir(drag=0.1), lasting=5.0)[0], multistart=STARTS)
+    assert len(seen) == 1
 
 
 def led(swings: float, seed: int) -> Recording:

@@ -2,12 +2,14 @@
 
 from functools import cache
 
+import jax
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.agreement import of_the_rest
+from exoid.fitting.solve.program_cache import run
 from exoid.recordings.declared.protocol import Protocol
 from exoid.recordings.declared.sensors import Sensors
 from exoid.recordings.declared.subject import Subject
@@ -188,3 +190,23 @@ def test_where_nothing_is_missed_all_count_alike(seed):
     assert not found.disturbance.apart
     for name, truth in TRUE.items():
         assert abs(found.ratios[name].value - truth) < 3 * found.ratios[name].standard_error
+
+
+def content(arrays):
+    return b"".join(np.asarray(each).tobytes() for each in arrays)
+
+
+def test_nothing_is_solved_twice(monkeypatch):
+    """Where a kind of segments ends by itself is known from when all kinds were compared."""
+    asked = []
+
+    def noting(starts, request, *same):
+        lanes = zip(*(np.asarray(leaf) for leaf in jax.tree.leaves((starts, request))), strict=True)
+        given = content(jax.tree.leaves(same))
+        asked.extend({content(lane) + given for lane in lanes})
+        return run(starts, request, *same)
+
+    monkeypatch.setattr("exoid.fitting.solve.ask.run", noting)
+    both = fitted(own_way)
+    assert both.disturbance.apart
+    assert len(asked) == len(set(asked))

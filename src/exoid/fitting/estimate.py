@@ -14,14 +14,14 @@ from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.fitted_samples import Clip
 from exoid.fitting.data.movement import Movement, all_driven
 from exoid.fitting.data.size_of_rig import scale_of
-from exoid.fitting.hands.slow_release import of_slow, without_slow_release
+from exoid.fitting.hands.slow_release import is_held, of_slow, without_slow_release
 from exoid.fitting.hands.unseen_hands import FEW, without_unseen_hands
 from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName, by_hand
 from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.user_values import Bounds, Expectations, Fixed
 from exoid.fitting.movements import left_out, movements_in
-from exoid.fitting.multistart.search import search
+from exoid.fitting.multistart.search import Plain, never, search
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.multistart.starts import check_draw, draw, driven, informed, term_starts
 from exoid.fitting.one_leg import check_one_leg
@@ -159,9 +159,14 @@ class Attempt:
     at_once: bool  # do they let go at once?
 
     def search(
-        self, belief: Belief, movements: list[Movement], reading: str, count: int
+        self,
+        belief: Belief,
+        movements: list[Movement],
+        reading: str,
+        plain: Plain | None = None,
     ) -> tuple[Problem, SearchResult]:
-        """From `count` starts, to these movements."""
+        """To these movements; from few starts, where what is missed may make the answer `plain`."""
+        count = self.multistart if plain is None else FEW
         if self.starts is None:
             given = begin(movements, belief, reading, count, self.seed)
         else:
@@ -172,24 +177,21 @@ class Attempt:
         own = term_starts(self.terms, movements, len(given), self.scale)
         if self.method == "slsqp":
             return problem, by_slsqp(problem, given, own)
-        return search(problem, given, own, near=self.near is not None)
+        return search(problem, given, own, near=self.near is not None, plain=plain or never)
 
     def result(self, belief: Belief) -> tuple[FitResult, list[str]]:
         """The result, and a note of the drops of which the begin was left out.
 
         **Raises** `ValueError` where gravity comes out upwards.
         """
-        each = {
-            reading: self.search(belief, self.movements, reading, self.multistart)
-            for reading in self.readings
-        }
+        each = {reading: self.search(belief, self.movements, reading) for reading in self.readings}
         best = min(each, key=lambda reading: float(each[reading][1].best.misfit[0]))
         found = each[best]
         if self.handled:
             found = without_unseen_hands(
                 *found,
-                lambda kept, count: self.search(belief, kept, best, count),
-                self.multistart,
+                lambda kept: self.search(belief, kept, best),
+                lambda kept, plain: self.search(belief, kept, best, plain),
                 at_once=self.at_once,
             )
         refuse_upwards(*found)
@@ -204,13 +206,13 @@ class Attempt:
             return result, []
         swinging = without_slow_release(
             found,
-            lambda kept: self.search(belief, kept, best, FEW),
+            lambda kept: self.search(belief, kept, best, is_held),
             lambda found: described(found).follows,
             bent=result.follows,
         )
         if swinging is None:
             return result, []
-        found = self.search(belief, swinging, best, self.multistart)
+        found = self.search(belief, swinging, best)
         refuse_upwards(*found)
         return described(found), of_slow(swinging)
 

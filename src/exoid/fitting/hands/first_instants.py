@@ -8,7 +8,7 @@ import numpy as np
 from scipy.special import chdtri
 
 from exoid.fitting.data.movement import Movement, weightless
-from exoid.fitting.misfit.missed import NOISY
+from exoid.fitting.misfit.missed import NOISY, Disturbance
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.solve.problem import Problem
 
@@ -35,8 +35,13 @@ def doubtful(problem: Problem, ended: SearchResult) -> bool:
 
 def disturbed(ended: SearchResult) -> bool:
     """Is there more in the residual than noise?"""
-    found = ended.disturbance.kinds[ended.disturbance.trusted]
-    return found.cause is not None or found.noise > NOISY
+    return beyond_noise(ended.disturbance)
+
+
+def beyond_noise(found: Disturbance) -> bool:
+    """The same of what is missed."""
+    trusted = found.kinds[found.trusted]
+    return trusted.cause is not None or trusted.noise > NOISY
 
 
 def starts_off(problem: Problem, ended: SearchResult, number: int) -> bool:

@@ -15,7 +15,7 @@ from exoid.fitting.hands.first_instants import differ
 from exoid.fitting.hands.first_swing import bottom, fastest, kept_back_by
 from exoid.fitting.hands.kept_back import KEEPING, NEXT, names, unlike, what
 from exoid.fitting.hands.last_instants import LOUD, Fitted, misses
-from exoid.fitting.misfit.missed import NOISY, Missed
+from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
 from exoid.recordings.motion.acceleration import derivatives, free_until, own_law
 from exoid.recordings.motion.signal import Signal
 from exoid.recordings.signal.condition import cut
@@ -43,7 +43,7 @@ def without_slow_release(
     for instant in (fastest, bottom):
         later = [begun(each, instant(each)) for each in movements]
         found = fit(later)
-        if not follows(found) or not swings_freely(found):
+        if not swings_freely(found) or not follows(found):
             continue
         if not bent or differ(movements, whole[1], later, found[1]):
             by = kept_back_by(movements, *found)
@@ -59,13 +59,18 @@ def missed(found: Fitted) -> Missed:
     return found[1].disturbance.like("passive")
 
 
+def is_held(found: Disturbance) -> bool:
+    """Is there a torque in what is missed of the drops, or more than noise?"""
+    left = found.like("passive")
+    return left.cause == "torque" or left.noise >= NOISY
+
+
 def swings_freely(found: Fitted) -> bool:
     """Is there no torque in what is left of the drops, and hardly more than noise?"""
     problem, ended = found
-    left = missed(found)
     drops = [number for number, each in enumerate(problem.movements) if each.kind == "passive"]
     loud = any(np.nanmean(misses(problem, ended.best, n) ** 2) > LOUD**2 for n in drops)
-    return left.cause != "torque" and left.noise < NOISY and not loud
+    return not is_held(ended.disturbance) and not loud
 
 
 def begun(each: Movement, count: int) -> Movement:

@@ -17,7 +17,12 @@ from exoid.fitting.model.systematics import OWNED
 from exoid.fitting.multistart.search_result import scale_told
 from exoid.fitting.multistart.simpler_problems import with_inertia_kept
 from exoid.fitting.multistart.tethers import FINE
-from exoid.fitting.multistart.weight_by_kind import as_weighed, explained, explained_apart
+from exoid.fitting.multistart.weight_by_kind import (
+    as_weighed,
+    by_themselves,
+    explained,
+    explained_apart,
+)
 from exoid.fitting.solve.ask import advance, better_of, lowest, take, task, told_at
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
@@ -53,7 +58,8 @@ def without_excuses(
         ended, count = advance(tight, starts, asked, weighing), free.loss.size
         free = better_of(take(ended, np.arange(count)), take(ended, np.arange(count, 2 * count)))
         before, row = less, lowest(free)
-        found = explained_apart(problem, free, row, explained(problem, free, row))
+        alike = explained(problem, free, row)
+        found = explained_apart(problem, by_themselves(problem, free, row, alike), alike)
         less = less_told(problem, free, row, found)
         if worst(less) < EXCUSED * worst(before):
             break

@@ -1,6 +1,7 @@
 """The fit: many starts, brought to the data first, then to what anatomy and bounds allow."""
 
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import replace
 
 import jax
@@ -28,20 +29,38 @@ from exoid.fitting.multistart.simpler_problems import (
 )
 from exoid.fitting.multistart.starts import coordinates, usual_mounting
 from exoid.fitting.multistart.tethers import COARSE, FINE, tethers, within_reach, without_thrust
-from exoid.fitting.multistart.weight_by_kind import alone, as_weighed, explained, explained_apart
+from exoid.fitting.multistart.weight_by_kind import (
+    as_weighed,
+    by_themselves,
+    explained,
+    explained_apart,
+    kinds_of,
+)
 from exoid.fitting.solve.ask import advance, around, finite, left, lowest, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 from exoid.physics.term import Term
 
 BASIN = 0.2  # typical steps within which tied starts have come together
+FAR = 2.0  # times the noise, root mean square: of a hundred samples a chi-square of three hundred
 HOPELESS = 1e5  # times the best loss, of a tied start that leads nowhere
 FIRST_HORIZON = 1.0  # s of every segment that a start sees first ...
 HORIZON = 25.0  # ... or so many radians of what is quicker than a leg
+Plain = Callable[[Disturbance], bool]  # is the answer, by what is missed?
+
+
+def never(found: Disturbance) -> bool:
+    """Where all numbers are wanted, no answer is plain."""
+    return False
 
 
 def search(
-    problem: Problem, starts: np.ndarray, terms: tuple[Term, ...] = (), *, near: bool = False
+    problem: Problem,
+    starts: np.ndarray,
+    terms: tuple[Term, ...] = (),
+    *,
+    near: bool = False,
+    plain: Plain = never,
 ) -> tuple[Problem, SearchResult]:
     """Fit from every start (m, J, l, d, c, tau) with its terms.
 
@@ -49,6 +68,9 @@ def search(
     at once, and the others are other masses and inertias at its ratios. The best free fit meets
     prior and limits. Also the problem, its priors wider where a seat or a clock is unusual
     (`gross_errors.py`).
+
+    Who only asks whether noise is all that is left has an answer that is `plain` by what the free
+    fits miss: held closer to anything, they miss more. The best of them then stays as it ended.
     """
     begin = coordinates(starts, problem.movements, terms, problem.owned)
     begin = within_reach(begin, tethers(problem)[0], problem.longest_step)
@@ -58,9 +80,14 @@ def search(
         gathered, member, failures = led_to_the_data(problem, begin, terms)
     free, member, failures = join_terms(without_scale(problem), gathered, member, failures)
     member, failures = without_lost(free, member, failures)
-    level, every = problem, free
-    problem, free, disturbance = with_what_is_missed(problem, free)
-    on_level = None if problem is level else on_level_seats(level, every)
+    ends, found = compared(problem, free)
+    if plain(found) and misses_by_far(problem, free, found):
+        return problem, as_it_ended(problem, free, found, (member, failures, begin))
+    level, seen = problem, weighed(problem, free, ends, found)
+    problem, free, disturbance = with_what_is_missed(problem, *seen)
+    if plain(disturbance):
+        return problem, as_it_ended(problem, free, disturbance, (member, failures, begin))
+    on_level = None if problem is level else on_level_seats(level, *seen)
     free, disturbance, less = without_excuses(problem, free, disturbance)
     tight = held(problem, less, disturbance, disturbance.scale)
     best = settle(tight, free, begin, disturbance)
@@ -77,6 +104,19 @@ def search(
         free, member, failures, best, disturbance, begin, local, on_level, tight.belief.prior
     )
     return problem, ended
+
+
+def as_it_ended(
+    problem: Problem,
+    free: Solved,
+    found: Disturbance,
+    starts: tuple[np.ndarray, dict[str, int], Coordinates],
+) -> SearchResult:
+    """The best of the free fits as the chosen one. Of `starts` the free fit of each, why some were
+    lost, and where they began.
+    """
+    (member, failures, begin), best = starts, take(free, [lowest(free)])
+    return SearchResult(free, member, failures, best, found, begin, around(problem, best))
 
 
 def led_to_the_data(
@@ -153,45 +193,60 @@ def with_terms(
     return replace(at, terms=own), np.where(kept, np.cumsum(kept) - 1, -1)[number.ravel()]
 
 
-def with_what_is_missed(problem: Problem, free: Solved) -> tuple[Problem, Solved, Disturbance]:
-    """The free fits by what every kind of segment misses, on seats that are tilted if need be.
+def with_what_is_missed(
+    problem: Problem, free: Solved, found: Disturbance
+) -> tuple[Problem, Solved, Disturbance]:
+    """The free fits, weighed by what was `found`, on seats that are tilted if need be.
 
     Where kinds miss different things, the one that is weighed most tells of the seat.
     """
-    row = lowest(free)
-    alike = explained(problem, free, row)
-    again, found = weighed_by_kind(problem, free, row, alike)
     if found.apart and found.kinds[found.trusted].cause is None:
-        return problem, again, found
-    wide, tilted = with_tilted_seats(problem, again, lowest(again), found)
+        return problem, free, found
+    wide, tilted = with_tilted_seats(problem, free, lowest(free), found)
     if wide is problem:
-        return problem, again, found
-    row = lowest(tilted)
-    return wide, *weighed_by_kind(wide, tilted, row, explained(wide, tilted, row))
+        return problem, free, found
+    return wide, *weighed(wide, tilted, *compared(wide, tilted))
 
 
-def on_level_seats(problem: Problem, free: Solved) -> np.ndarray:
-    """Every quantity of the best of the free fits on seats that are as level as is declared."""
-    row = lowest(free)
-    weighed, found = weighed_by_kind(problem, free, row, explained(problem, free, row))
-    level = without_excuses(problem, weighed, found)[0]
+def on_level_seats(problem: Problem, free: Solved, found: Disturbance) -> np.ndarray:
+    """Every quantity of the best of these free fits, on seats that are as level as is declared."""
+    level = without_excuses(problem, free, found)[0]
     return level.quantities[lowest(level)]
 
 
-def weighed_by_kind(
-    problem: Problem, free: Solved, row: int, alike: Disturbance
-) -> tuple[Solved, Disturbance]:
-    """What the residual holds; where kinds of segments differ from what is `alike` in all, all
-    free fits once more by it.
+def compared(problem: Problem, free: Solved) -> tuple[Solved | None, Disturbance]:
+    """Where every kind of segments ends by itself, as far as that was asked, and what each misses
+    where that differs from what is alike in all.
+    """
+    row = lowest(free)
+    alike = explained(problem, free, row)
+    ends = by_themselves(problem, free, row, alike)
+    return ends, explained_apart(problem, ends, alike)
 
-    The best of them begins anew where the kind that is weighed most ends by itself: that may be
+
+def misses_by_far(problem: Problem, free: Solved, found: Disturbance) -> bool:
+    """Is so much missed that no wider prior of a seat explains it? One that would be moved by k
+    standard deviations gains k^2 / 8 of half a chi-square at most.
+    """
+    if found.apart:
+        return found.alone[found.trusted] > FAR
+    return bool(free.misfit[lowest(free)] > FAR**2 * problem.samples.sum())
+
+
+def weighed(
+    problem: Problem, free: Solved, ends: Solved | None, found: Disturbance
+) -> tuple[Solved, Disturbance]:
+    """The free fits by what was `found` of every kind of segments, and that; all of them once more
+    where kinds miss different things.
+
+    The best of them begins anew where the kind that is weighed most `ends` by itself: that may be
     far from where all were weighed alike.
     """
-    found = explained_apart(problem, free, row, alike)
-    if not found.apart:
+    if ends is None or not found.apart:
         return free, found
-    trusted = alone(problem, free, row, [found.trusted])
-    starts = replaced(free.coordinates, row, take(trusted.coordinates, 0))
+    row = lowest(free)
+    trusted = take(ends.coordinates, kinds_of(problem).index(found.trusted))
+    starts = replaced(free.coordinates, row, trusted)
     asked = task(problem, 0.0, problem.steps, FINE)
     again = advance(as_weighed(problem, found), starts, asked, found.weighing(problem.kinds))
     return again, left(problem, again, lowest(again), found)

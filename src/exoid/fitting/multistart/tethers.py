@@ -8,7 +8,6 @@ from exoid.fitting.data.pace import quickest
 from exoid.fitting.model.coordinates import Coordinates
 from exoid.fitting.solve.ask import ROUNDS, advance, task
 from exoid.fitting.solve.problem import Problem
-from exoid.fitting.solve.program_values import Solved
 
 TETHERS = (60.0, 15.0)  # rad/s, of the first stage and the second; then free
 QUICKER = 2.0  # times the pace of a recording that is quicker than a leg: its first tether
@@ -34,12 +33,6 @@ def within_reach(starts: Coordinates, tether: float, step: float) -> Coordinates
     damping = np.minimum(shared.damping, 2 / step - 2 * tether)
     stiffness = np.minimum(shared.stiffness, (SPRING * tether) ** 2)
     return replace(starts, shared=replace(shared, damping=damping, stiffness=stiffness))
-
-
-def approach(problem: Problem, starts: Coordinates, scale: np.ndarray) -> Solved:
-    """Where the free fits from these starts end, after both stages over the whole motion."""
-    tied = led(problem, starts, scale)
-    return advance(problem, tied, task(problem, 0.0, problem.steps, FINE), scale)
 
 
 def led(

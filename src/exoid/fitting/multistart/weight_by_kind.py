@@ -18,7 +18,7 @@ from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.missed import KINDS, NOISY, Disturbance, Missed
 from exoid.fitting.model.coordinates import layout
-from exoid.fitting.multistart.tethers import FINE, approach
+from exoid.fitting.multistart.tethers import FINE, led
 from exoid.fitting.solve.ask import advance, better_of, declared_at, grams_at, left_by, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
@@ -51,15 +51,25 @@ def likelihood(problem: Problem, at: Solved, row: int, weighed: Disturbance) -> 
     return explain(each, plausible(problem.observation), count(problem, [kind]), size).likelihood
 
 
-def explained_apart(problem: Problem, at: Solved, row: int, alike: Disturbance) -> Disturbance:
-    """The same by kinds of segments, where that explains much better what is `alike` in all."""
-    kinds = [kind for kind in KINDS if kind in problem.kinds]
+def by_themselves(problem: Problem, at: Solved, row: int, alike: Disturbance) -> Solved | None:
+    """Where every kind of segments ends by itself, one lane a kind; None where there is one kind,
+    or nothing but noise is `alike` in all.
+    """
+    kinds = kinds_of(problem)
     if len(kinds) < 2 or (alike.cause is None and alike.noise < NOISY):
-        return alike
+        return None
     solved = alone(problem, at, row, kinds)
-    if not np.isfinite(solved.loss).all():
+    return solved if np.isfinite(solved.loss).all() else None
+
+
+def explained_apart(problem: Problem, solved: Solved | None, alike: Disturbance) -> Disturbance:
+    """What is missed by kinds of segments, each `solved` by itself, where that explains much better
+    what is `alike` in all.
+    """
+    if solved is None:
         return alike
-    size, most = layout(take(at.coordinates, row)).size, plausible(problem.observation)
+    kinds = kinds_of(problem)
+    size, most = layout(take(solved.coordinates, 0)).size, plausible(problem.observation)
     parts = [of_kind(problem, kind, solved, lane) for lane, kind in enumerate(kinds)]
     told = [[*part, declared_at(problem, solved, lane)] for lane, part in enumerate(parts)]
     counts = [count(problem, [kind]) for kind in kinds]
@@ -104,11 +114,18 @@ def alone(problem: Problem, at: Solved, row: int, kinds: list[str]) -> Solved:
     as declared: what bad segments made of seat and zero leads astray.
     """
     counts = np.array([[kind == own for own in problem.kinds] for kind in kinds])
-    starts = take(at.coordinates, [row] * len(kinds))
+    near, size = take(at.coordinates, [row] * len(kinds)), len(kinds)
     scale = np.where(counts, 1.0, BLIND)
-    near = advance(problem, starts, task(problem, 0.0, problem.steps, FINE), scale)
-    anew = replace(starts, mounting=jax.tree.map(np.zeros_like, starts.mounting))
-    return better_of(near, approach(problem, anew, scale))
+    anew = led(problem, replace(near, mounting=jax.tree.map(np.zeros_like, near.mounting)), scale)
+    starts = jax.tree.map(lambda *each: np.concatenate(each), near, anew)
+    asked = task(problem, 0.0, problem.steps, FINE)
+    ended = advance(problem, starts, asked, np.concatenate([scale, scale]))
+    return better_of(take(ended, np.arange(size)), take(ended, np.arange(size, 2 * size)))
+
+
+def kinds_of(problem: Problem) -> list[str]:
+    """The kinds of its segments, in the order in which they are trusted."""
+    return [kind for kind in KINDS if kind in problem.kinds]
 
 
 def of_kind(problem: Problem, kind: str, at: Solved, row: int) -> list[Grams]:
