@@ -19,6 +19,7 @@ from exoid.fitting.result.remarks.added_mass_remarks import acting, same_swing
 from exoid.fitting.result.remarks.anatomy_remarks import RARE, at_rate, of_anatomy
 from exoid.fitting.result.remarks.scale_remarks import POUND, away, of_scale
 from exoid.fitting.result.remarks.zero.leaning import LEANING, Leaning
+from exoid.fitting.unlike_tables import strange
 from exoid.physics.anatomy.likeness import pendulum_length
 from exoid.physics.leg import GRAVITY
 from exoid.recordings.declared.protocol import Protocol
@@ -43,6 +44,19 @@ def said(inertia=INERTIA, *segments, mass=MASS) -> str:
 def times(factor: float, of: Estimate = INERTIA) -> Estimate:
     assert of.value is not None
     return replace(of, value=factor * of.value)
+
+
+def test_tables_are_not_blamed_for_what_no_leg_follows(monkeypatch):
+    """No table touches the free fits: what these miss, too, is not bent by one."""
+    monkeypatch.setattr("exoid.fitting.unlike_tables.too_short", lambda result, error: True)
+    found = fit(recording(drop()), multistart=4)
+    bent = replace(found, astray="it misses the angle")
+    assert strange(found)
+    assert strange(bent)
+    free = found.basis.ended.free
+    elsewhere = replace(free, angle=free.angle + 0.3 * np.sin(np.arange(free.angle.shape[-1])))
+    ended = replace(found.basis.ended, free=elsewhere)
+    assert not strange(replace(bent, basis=replace(found.basis, ended=ended)))
 
 
 @pytest.mark.parametrize(

@@ -9,9 +9,12 @@ from dataclasses import replace
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.prior import no_prior
 from exoid.fitting.model.prior_and_limits import limits_of
+from exoid.fitting.result.agreement import astray, believed
+from exoid.fitting.result.describe import root_mean_square, simulated
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks.anatomy_remarks import SWING, from_anatomy
 from exoid.fitting.result.untold import if_times_right
+from exoid.fitting.solve.ask import lowest, take
 from exoid.physics.anatomy.expected import STRANGE
 from exoid.physics.anatomy.limits import anybody
 
@@ -19,8 +22,23 @@ LEFT_OUT = "none, for the motion speaks against it; expected would be"
 
 
 def strange(result: FitResult) -> bool:
-    """Is the leg that a fit has too short for this body? Its tables may have bent it."""
-    return too_short(result, 0.0)
+    """Is the leg that a fit has too short for this body? Its tables may have bent it, but for what
+    no leg at all follows.
+    """
+    return too_short(result, 0.0) and (result.follows or followed_freely(result))
+
+
+def followed_freely(result: FitResult) -> bool:
+    """Does the best of the free fits follow, which neither tables nor limits touch?"""
+    assert result.basis is not None  # `too_short` asks it
+    problem, ended = result.basis.problem, result.basis.ended
+    angle = take(ended.free.angle, [lowest(ended.free)])
+    missed = [simulated(problem, angle, n) - each.angle for n, each in enumerate(result.segments)]
+    segments = [
+        replace(each, angle_rmse=root_mean_square(off))
+        for each, off in zip(result.segments, missed, strict=True)
+    ]
+    return astray(believed(segments, ended.disturbance)) is None
 
 
 def contradicted(result: FitResult) -> bool:
