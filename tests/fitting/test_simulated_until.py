@@ -4,7 +4,7 @@ from unittest.mock import Mock
 
 import numpy as np
 
-from exoid.fitting.result.describe import simulated
+from exoid.fitting.result.agreement import simulated
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.problem import Problem
 from exoid.interchange.model.gather import reach

@@ -21,8 +21,8 @@ from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.user_values import Bounds, Expectations, Fixed
 from exoid.fitting.movements import left_out, movements_in
-from exoid.fitting.multistart.search import Plain, never, search
-from exoid.fitting.multistart.search_result import SearchResult
+from exoid.fitting.multistart.search import never, search
+from exoid.fitting.multistart.search_result import Plain, SearchResult
 from exoid.fitting.multistart.starts import check_draw, draw, driven, informed, term_starts
 from exoid.fitting.one_leg import check_one_leg
 from exoid.fitting.result.describe import describe

@@ -11,8 +11,7 @@ from exoid.fitting.hands.first_instants import (
     without_first_instants,
 )
 from exoid.fitting.hands.last_instants import without_hands
-from exoid.fitting.multistart.search import Plain
-from exoid.fitting.multistart.search_result import SearchResult
+from exoid.fitting.multistart.search_result import Plain, SearchResult
 from exoid.fitting.solve.problem import Problem
 
 FEW = 4  # starts, where it is only asked whether more than noise is left

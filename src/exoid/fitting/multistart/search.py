@@ -1,7 +1,6 @@
 """The fit: many starts, brought to the data first, then to what anatomy and bounds allow."""
 
 from collections import Counter
-from collections.abc import Callable
 from dataclasses import replace
 
 import jax
@@ -19,7 +18,7 @@ from exoid.fitting.multistart.gross_errors import (
 )
 from exoid.fitting.multistart.hold_to_declared import held, without_excuses
 from exoid.fitting.multistart.join_terms import join_terms
-from exoid.fitting.multistart.search_result import LOOKING, SearchResult
+from exoid.fitting.multistart.search_result import LOOKING, Plain, SearchResult
 from exoid.fitting.multistart.settle import settle
 from exoid.fitting.multistart.simpler_problems import (
     as_declared,
@@ -46,7 +45,6 @@ FAR = 2.0  # times the noise, root mean square: of a hundred samples a chi-squar
 HOPELESS = 1e5  # times the best loss, of a tied start that leads nowhere
 FIRST_HORIZON = 1.0  # s of every segment that a start sees first ...
 HORIZON = 25.0  # ... or so many radians of what is quicker than a leg
-Plain = Callable[[Disturbance], bool]  # is the answer, by what is missed?
 
 
 def never(found: Disturbance) -> bool:

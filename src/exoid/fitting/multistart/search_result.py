@@ -1,5 +1,6 @@
 """Where all starts of a fit ended."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -16,6 +17,7 @@ LIMITED = 1e-3  # tolerance with limits: a multiplier of ten makes it 1e-3 of ha
 LOOKING = np.inf  # tolerance of a solver that is not to leave its point
 FEASIBLE = 1e-4  # relative violation that is rounding of the multiplier method
 SAME_LOSS = 1e-3  # relative; other minima lie orders of magnitude higher
+Plain = Callable[[Disturbance], bool]  # is the answer, by what is missed?
 TOLD = 0.5  # relative error of an inertia from which on the data do not tell it
 
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.result.segment_fit import SegmentFit, pooled
+from exoid.fitting.solve.problem import Problem
 
 ASTRAY = 0.1  # of how far the leg moves, missed beyond the noise: then it is another motion
 ALONE = 0.3  # the same of a single segment: a small one may hold what the model misses
@@ -134,3 +135,15 @@ def beyond_noise(each: SegmentFit) -> float:
 def motion(each: SegmentFit) -> float:
     """How far the leg moves about its mean [rad]."""
     return float(max(np.nanstd(each.angle), 1e-9))
+
+
+def simulated(problem: Problem, table: np.ndarray, number: int) -> np.ndarray:
+    """What a `table` (start, segment, step) has of the first start at the samples of a segment; nan
+    after the last that counts in any, where the simulation ends.
+    """
+    rows = problem.own_rows(number)
+    return np.where(rows <= problem.steps, table[0, number][rows], np.nan)
+
+
+def root_mean_square(samples: np.ndarray) -> float:
+    return float(np.sqrt(np.nanmean(samples**2)))

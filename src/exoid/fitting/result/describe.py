@@ -19,7 +19,14 @@ from exoid.fitting.multistart.at_odds import at_odds
 from exoid.fitting.multistart.gross_errors import hung_elsewhere, slanted
 from exoid.fitting.multistart.pulled_by_declared import led_astray
 from exoid.fitting.multistart.search_result import SAME_LOSS, SearchResult
-from exoid.fitting.result.agreement import astray, believed, of_the_rest, of_unlike
+from exoid.fitting.result.agreement import (
+    astray,
+    believed,
+    of_the_rest,
+    of_unlike,
+    root_mean_square,
+    simulated,
+)
 from exoid.fitting.result.equally_good import equally_good
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
@@ -335,18 +342,6 @@ def segment_fit(basis: Basis, number: int, torque: Estimate | None) -> SegmentFi
         left_out=each.slow,
         caught=each.caught,
     )
-
-
-def simulated(problem: Problem, table: np.ndarray, number: int) -> np.ndarray:
-    """What a `table` (start, segment, step) has of the first start at the samples of a segment; nan
-    after the last that counts in any, where the simulation ends.
-    """
-    rows = problem.own_rows(number)
-    return np.where(rows <= problem.steps, table[0, number][rows], np.nan)
-
-
-def root_mean_square(samples: np.ndarray) -> float:
-    return float(np.sqrt(np.nanmean(samples**2)))
 
 
 def report(problem: Problem, ended: SearchResult, ratios: dict[str, Estimate]) -> MultistartReport:
