@@ -11,6 +11,7 @@ from exoid.fitting.movements import movements_of
 from exoid.fitting.multistart.search import HOPELESS, basins
 from exoid.fitting.multistart.settle import stands_still
 from exoid.fitting.multistart.starts import coordinates
+from exoid.fitting.solve import ask
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.program_values import solved_structure
 from fit_cases import BODY, DROP, recorded
@@ -52,6 +53,24 @@ def test_a_search_goes_on_only_where_it_misses_or_violates_less_than_before():
     assert not stands_still(np.array([9.5, 0.09]), lowest)
     assert stands_still(lowest, lowest)
     assert stands_still(np.array([9.5, 0.2]), lowest)
+
+
+class Asked(Exception):
+    """So many lanes."""
+
+
+@pytest.mark.parametrize(("long", "lanes"), [(ask.LONG, 16), (50, 2)])
+def test_a_start_is_not_repeated_to_fill_a_batch_of_a_long_recording(monkeypatch, long, lanes):
+    """Lanes take as long as they are many; a program of its own takes seconds, once."""
+    problem, ended = arrived(LEG, loss=[1.0])
+    monkeypatch.setattr(ask, "LONG", long)
+    monkeypatch.setattr(ask, "run", refusing)
+    with pytest.raises(Asked, match=f"^{lanes}$"):
+        ask.advance(problem, ended.coordinates, ask.task(problem, 0.0, problem.steps, 1.0))
+
+
+def refusing(starts, *same):
+    raise Asked(starts.log_mass.size)
 
 
 def test_where_no_start_can_be_simulated_there_is_no_fit():

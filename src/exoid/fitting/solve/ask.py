@@ -26,6 +26,7 @@ from exoid.physics.motion.step import Drive
 ROUNDS = 10  # of multipliers; two digits a round
 BATCH = 16  # lanes of start and segment at once: more leave the fast path of the compiled loop
 PAIR = 2  # starts at once of a leg with many segments
+LONG = 2000  # steps, from which on lanes that only repeat a start take longer than a program
 # Segments from which on a start is alone: jaxlib factorises several large matrices on XLA's own
 # threads and waits for them on one of these, for ever where two programs run beside each other.
 CROWD = 16
@@ -70,6 +71,8 @@ def advance(
     count = starts.log_mass.shape[0]
     few = not problem.terms and len(problem.movements) <= CROWD
     lanes = max(PAIR, BATCH // len(problem.movements)) if few else 1
+    if count <= PAIR and problem.steps > LONG:
+        lanes = min(lanes, PAIR)
     if MEETING.get() is not None:  # a run that many share is filled by them
         lanes = count
     if request is None:
