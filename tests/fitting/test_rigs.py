@@ -6,12 +6,15 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from exoid.fitting.errors.profile import profiles
 from exoid.fitting.estimate import fit
+from exoid.fitting.multistart.search_result import scale_told
 from exoid.physics.leg import GRAVITY, LegModel
 from exoid.physics.torque import MeasuredTorque, NoTorque
 from exoid.recordings.declared.protocol import Protocol
 from exoid.recordings.declared.subject import Subject
 from exoid.recordings.recording import Recording
+from exoid.trust.identify import identify
 from fit_cases import NOISE, exact, leg, state
 
 TIME = np.arange(600) * 0.01
@@ -57,9 +60,34 @@ def test_of_a_torque_of_unknown_gain_only_what_is_over_the_inertia_is_told(axis)
     found = fit(replace(axis, segments=(current,), protocol=protocol), multistart=4)
     ratio = found.ratios["damping_over_inertia"].value
     assert ratio == pytest.approx(DAMPING / INERTIA, rel=ALIKE)
-    for name in ("inertia", "damping"):
+    for name in ("mass", "inertia", "com_distance", "damping"):
         assert found.parameters[name].value is None
         assert "gain is unknown (torque_known = false)" in (found.parameters[name].reason or "")
+    assert "damping_over_inertia" in profiles(found)
+    assert not {"mass", "inertia", "damping"} & profiles(found).keys()
+    told = identify(found)
+    assert "inertia" not in told.combinations
+    assert any("unknown gain fixes no scale" in each for each in told.sentences)
+    assert not any("varied too little" in each for each in told.sentences)
+    assert not any(number in each for each in found.notes for number in (" N m", "kg m^2"))
+
+
+def test_the_error_of_a_ratio_is_the_same_where_the_gain_is_unknown_and_nothing_tells_the_inertia(
+    axis,
+):
+    protocol = replace(axis.protocol, torque_known=False)
+    known, unknown = (fit(each, multistart=4) for each in (axis, replace(axis, protocol=protocol)))
+    one, other = (each.ratios["damping_over_inertia"] for each in (known, unknown))
+    assert other.value == pytest.approx(one.value, rel=1e-3)
+    assert other.standard_error == pytest.approx(one.standard_error, rel=0.05)
+    assert unknown.basis is not None
+    assert not scale_told(unknown.basis.ended.local.data)
+
+
+def test_a_torque_that_varies_is_never_said_to_vary_too_little(axis):
+    """Here the leg's inertia was fixed by hand: that it is no finding is no fault of the torque."""
+    told = identify(fit(axis, multistart=4, fix={"inertia": INERTIA}))
+    assert not any("varied too little" in each for each in told.sentences)
 
 
 def test_a_robots_joint_whose_first_second_tells_nothing_is_followed(shared):

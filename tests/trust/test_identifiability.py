@@ -10,7 +10,8 @@ from exoid.fitting.estimate import fit
 from exoid.fitting.result.estimates.estimate import RIVALS, Estimate
 from exoid.recordings.measured.segment import Segment
 from exoid.trust.directions import in_words
-from exoid.trust.identify import identify, scale_remark
+from exoid.trust.identify import identify
+from exoid.trust.open_scale import scale_remark
 from exoid.trust.reversal import reversals
 from fit_cases import BODY, CYCLE, DROP, LOADED, NOISE, one, recorded
 

@@ -21,6 +21,7 @@ from exoid.trust.directions import listed, null_directions, weak_directions
 from exoid.trust.identifiability import Identifiability, Reversal
 from exoid.trust.legs import strangers
 from exoid.trust.not_found import not_found
+from exoid.trust.open_scale import scale_remark
 from exoid.trust.reversal import reversals
 
 UNDAMPED = 0.1  # 1/s, d / J below which no relaxed leg lies (0.5 to 1.2 do)
@@ -61,6 +62,7 @@ def identify(result: FitResult) -> Identifiability:
     mirrored = reversals(basis.problem.movements)
     names, correlation = correlations(told | dict(named(result)), gradients, basis)
     apart = strangers(result)
+    told_alone = bool(np.isfinite(alone.standard_error(absolute["inertia"])))
     weighed_off = result.parameters["inertia"].reason == MISPLACED  # which its notes tell
     return Identifiability(
         exact,
@@ -75,7 +77,7 @@ def identify(result: FitResult) -> Identifiability:
             *(each.words for each in exact),
             *(each.words for each in weak),
             *(each.words for each in none),
-            *([] if weighed_off else scale_remark(basis, "inertia" in told)),
+            *([] if weighed_off else scale_remark(basis, told_alone)),
             *torque_remarks(basis, shares, mirrored, symbols),
         ],
         apart,
@@ -132,24 +134,6 @@ def correlations(
     covariance = table @ np.stack([inverse_times(information.posterior, r) for r in rows], axis=1)
     size = np.sqrt(np.diag(covariance))
     return names, covariance / np.outer(size, size)
-
-
-def scale_remark(basis: Basis, inertia_told: bool) -> list[str]:
-    """Why the data do not fix the scale, where they do not."""
-    movements = basis.problem.movements
-    if inertia_told or not any(each.scaled for each in movements):
-        return []
-    if any(each.kind == "measured" for each in movements):
-        return ["the measured torque varied too little to fix the scale: J stays open."]
-    if len({each.load for each in movements}) > 1:
-        return [
-            "movements with different known masses do not fix the scale here: J stays open. Check "
-            "the masses and their distances, or hang on a heavier one."
-        ]
-    return [
-        "the known mass was on the leg in every segment, so its inertia and the leg's cannot be "
-        "told apart (singular): add a drop of the bare leg."
-    ]
 
 
 def torque_remarks(

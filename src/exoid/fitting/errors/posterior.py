@@ -17,6 +17,7 @@ from jaxtyping import Bool, Float
 from exoid.files.extras import installing
 from exoid.fitting.errors.nuts import move_chains
 from exoid.fitting.errors.posterior_density import Target, points, posed
+from exoid.fitting.errors.profile import named
 from exoid.fitting.misfit.uncertainty import ON_BOUND
 from exoid.fitting.model.constraint import violations_at
 from exoid.fitting.model.coordinates import Coordinates, quantities
@@ -24,6 +25,7 @@ from exoid.fitting.model.term_parameters import parameters_of, ratio_name, ratio
 from exoid.fitting.model.user_values import DECLARED
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.ratios import RATIOS
+from exoid.fitting.result.estimates.scale import hidden
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.mountings import FIELDS, MOUNTING, outside
 
@@ -64,7 +66,8 @@ def sample(
     information does, and its slope at the best fit is kept (Ribatet, Cooley & Davison, Statistica
     Sinica 22, 2012). C is 1 where only noise is in the residual. Where nobody says how level a seat
     is, every other leg has a foot that puts its line off, as for the errors of the fit. What
-    nothing determines, as m of a rig, is left out. `warmup` adapts the step alone.
+    nothing determines, as m of a rig, or what the fit holds back, is left out. `warmup` adapts the
+    step alone.
 
     **Raises** `ValueError` for a result without one fit (`fit_each`), where packages are missing,
     or where the limits leave no room.
@@ -84,9 +87,11 @@ def sample(
         moved = jax.tree.map(np.asarray, moved)
     flat = moved.place.reshape(-1, moved.place.shape[-1])
     values, units = described(basis, points(target, flat), undetermined)
+    held_back = {name for name, each in named(result) if hidden(each)}
+    values = {name: row for name, row in values.items() if name.split("[")[0] not in held_back}
     return Posterior(
         samples={name: row.reshape(draws, chains).T.copy() for name, row in values.items()},
-        units=units,
+        units={name: units[name] for name in values},
         diverging=moved.diverging.T,
         acceptance=moved.acceptance.T,
     )
@@ -140,6 +145,8 @@ def placed(basis: Basis, at: Coordinates) -> tuple[dict[str, np.ndarray], dict[s
     """Values and units of what recordings own, by the recording's number."""
     values, units = {}, {}
     for field in basis.problem.owned:
+        if field == "torque_zero" and not basis.problem.gain_known:
+            continue  # it is in no unit
         for entry in basis.problem.estimated(field):
             name, row = FIELDS[field], getattr(at.mounting, field)[entry]
             key = f"{name}[{basis.problem.recordings[entry][0].recording}]"

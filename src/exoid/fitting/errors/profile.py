@@ -19,7 +19,7 @@ from exoid.fitting.model.coordinates import Coordinates, flattened, scaled, unfl
 from exoid.fitting.multistart.search_result import FEASIBLE, LIMITED
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
-from exoid.fitting.result.estimates.scale import UNLIKE
+from exoid.fitting.result.estimates.scale import UNLIKE, hidden
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.ask import advance, around, task
 from exoid.fitting.solve.program_values import StartRequest
@@ -78,7 +78,8 @@ def profiles(result: FitResult) -> dict[str, Profile]:
     """The profile of every parameter and ratio, all points as starts of one search.
 
     One of which hardly a point can be reached within the limits has no profile, and is left out; so
-    is every one where motion and anatomy contradict each other, for the loss holds both.
+    is one that the fit holds back though its loss would tell it, as J where a torque's gain is
+    unknown, and every one where motion and anatomy contradict each other, for the loss holds both.
 
     **Raises** `ValueError` for a result that has no one fit to profile (`fit_each`).
 
@@ -95,7 +96,8 @@ def profiles(result: FitResult) -> dict[str, Profile]:
     quests = [
         quest
         for name, each in named(result)
-        if (quest := posed(basis, name, each, limits.get(name, (-np.inf, np.inf))))
+        if not hidden(each)
+        and (quest := posed(basis, name, each, limits.get(name, (-np.inf, np.inf))))
     ]
     request = StartRequest(
         noise_scale=np.repeat([each.noise_scale for each in quests], POINTS)[:, None]

@@ -42,12 +42,12 @@ from exoid.fitting.result.estimates.scale import (
     goes_with_mass,
     goes_with_scale,
     with_reasons,
-    without_gain,
 )
 from exoid.fitting.result.estimates.terms import estimate_terms
 from exoid.fitting.result.estimates.torque import estimate_torque
 from exoid.fitting.result.find_conditions import find_conditions
 from exoid.fitting.result.fit_result import FitResult, MountingFit, MultistartReport
+from exoid.fitting.result.gainless import whatever_gain, why_none
 from exoid.fitting.result.limiting_systematics import granted, limiting, suspicions
 from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings, numbers_at
 from exoid.fitting.result.refused.notes import of_refused
@@ -88,6 +88,7 @@ def describe(
     problem: Problem, ended: SearchResult, reading: str | None, other_rmse: float | None
 ) -> FitResult:
     """The numbers with their errors, units and reasons."""
+    ended = whatever_gain(problem, ended)
     best = ended.best
     leaning = leans(problem, ended)
     at_bound = {name for name, hold in zip(problem.constraints, leaning, strict=True) if hold}
@@ -146,6 +147,12 @@ def describe(
     told = without_bare(without_lost(result), problem)
     slack = open_for_slack(told, basis)
     doubt = doubted_scale(told, problem, misplaced(problem, ended), slack)
+    errors = {name: told.ratios[name].standard_error or 0.0 for name in LEANING}
+    errors |= errors_of(told.mountings)
+    numbers = partial(numbers_at, problem)
+    free = basis.information.open
+    slack = left_open(problem, ended, free, errors, numbers) if told.follows else None
+    doubt = why_none(problem) or doubted_scale(told, problem, misplaced(problem, ended), slack)
     if doubt is not None:
         told = without_scale(told, doubt)
     moment = estimate_moment(basis, told.ratios["gravity_over_inertia"], told.parameters["inertia"])
@@ -213,7 +220,7 @@ def notes(
         *of_the_rest(result.segments, ended.disturbance),
         *of_unlike(result.segments, ended.disturbance),
         *swung,
-        *remarks(problem, ended, at_bound, swung=bool(swung)),
+        *remarks(problem, ended, at_bound, inertia, swung=bool(swung)),
         *of_scale(result.parameters, result.segments),
         *of_far_zeros(problem, ended),
         *slack_angle_remarks(slack),
@@ -255,8 +262,6 @@ def estimate_leg(
     }
     distance, mass = parameters["com_distance"], parameters["mass"]
     parameters["com_distance"] = goes_with_mass(distance, mass)
-    if not basis.problem.gain_known:
-        parameters["inertia"] = without_gain(parameters["inertia"])
     for name in ("damping", "stiffness"):
         if name in basis.problem.absent:
             parameters[name] = none_of(label_of(parameters[name]))

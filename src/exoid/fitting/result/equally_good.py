@@ -20,7 +20,7 @@ def equally_good(
     """
     limits, shared = problem.belief.limits, ended.best.coordinates.shared
     moment = float(shared.gravity[0]) / GRAVITY  # m l / J
-    if problem.belief.rig or moment <= 0:
+    if problem.belief.rig or moment <= 0 or not problem.gain_known:
         return {}, {}
     told = ended.local.data + ended.local.declared
     if problem.tells_inertia and not scale_told(told):

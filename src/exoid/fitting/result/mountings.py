@@ -44,7 +44,9 @@ def estimate_mountings(basis: Basis) -> list[MountingFit]:
     laid = layout(point)
 
     def estimate(field: str, entry: int) -> Estimate | None:
-        if not problem.estimates(field, entry):
+        if not problem.estimates(field, entry) or (
+            field == "torque_zero" and not problem.gain_known  # it is in no unit
+        ):
             return None
         at = int(getattr(laid.places.mounting, field)[entry])
         gradient = laid.units * (np.arange(laid.size) == at)
@@ -108,18 +110,19 @@ def beyond_belief(problem: Problem, ended: SearchResult) -> str | None:
             if away > furthest:
                 furthest = away
                 size = (float(each[entry]) for each in (values, deviations))
-                if field == "torque_zero":
+                if field == "torque_zero" and problem.gain_known:
                     size = (outside(problem, field, entry, each) for each in size)
-                why = off(field, *size) + made_up(field, let_go=let_go, misses=misses)
+                unit = "1" if field == "torque_zero" and not problem.gain_known else None
+                why = off(field, *size, unit) + made_up(field, let_go=let_go, misses=misses)
                 if field in OF_THE_MASS:
                     why = of_added_mass(problem, ended, field, entry)
     return why
 
 
-def off(field: str, value: float, usual: float) -> str:
-    """What the fit takes it for, in the units of a coordinate."""
-    said = f"it takes {WORDS[FIELDS[field]]} to be off by {told_as(field, value)}"
-    return f"{said}, where {told_as(field, usual)} is usual"
+def off(field: str, value: float, usual: float, unit: str | None = None) -> str:
+    """What the fit takes it for, in the units of a coordinate; or in another `unit`."""
+    said = f"it takes {WORDS[FIELDS[field]]} to be off by {told_as(field, value, unit)}"
+    return f"{said}, where {told_as(field, usual, unit)} is usual"
 
 
 def made_up(field: str, *, let_go: bool, misses: bool) -> str:
@@ -131,9 +134,9 @@ def made_up(field: str, *, let_go: bool, misses: bool) -> str:
     return MISSES if misses else ""
 
 
-def told_as(field: str, value: float) -> str:
+def told_as(field: str, value: float, unit: str | None = None) -> str:
     """In a unit that people read."""
-    unit = MOUNTING[FIELDS[field]][2]
+    unit = unit or MOUNTING[FIELDS[field]][2]
     if unit.startswith("rad"):
         return f"{np.degrees(value):.2g} {unit.replace('rad', 'deg')}"
     if unit == "N m":

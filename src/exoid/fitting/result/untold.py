@@ -13,6 +13,7 @@ from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.estimates.scale import (
     MISPLACED,
     SCALE_FREE,
+    SCALE_FREE_RIG,
     TOGETHER,
     UNLESS_BENT,
     UNLIKE,
@@ -106,8 +107,8 @@ def without_scale(result: FitResult, why: str) -> FitResult:
 
     def kept(each: Estimate) -> Estimate:
         nothing = each.shares == HELD and not each.value  # whatever J is
-        otherwise = each.shares is None and each.reason != SCALE_FREE  # lost, for another reason
-        known = each.by_hand == "fix" or otherwise or nothing
+        otherwise = each.shares is None and each.reason not in (SCALE_FREE, SCALE_FREE_RIG)
+        known = each.by_hand == "fix" or otherwise or nothing  # or lost, for another reason
         return each if known else without_value(each, why)
 
     def of_term(own: dict[str, Estimate]) -> dict[str, Estimate]:

@@ -32,6 +32,7 @@ UNLESS_BENT = (
     "a known mass on the leg tells it"
 )
 UNLIKE_ITS_BODY = UNLIKE, UNLESS_BENT
+NOTHING_TELLS = SCALE_FREE, SCALE_FREE_RIG, UNTOLD, MASS_AND_DISTANCE  # which the loss shows itself
 TOGETHER = (
     "the same mass was on in every segment, and nothing tells what it changes: add a drop without "
     "it, or leave it out of the sidecar, and the ratios are of both together"
@@ -67,16 +68,16 @@ def without_value(own: Estimate, reason: str) -> Estimate:
     return replace(own, value=None, standard_error=None, shares=None, reason=reason, limited_by={})
 
 
-def without_gain(inertia: Estimate) -> Estimate:
-    """The inertia where the torque's unit is unknown: only what is over J is told."""
-    return without_value(inertia, NO_GAIN)
+def hidden(own: Estimate) -> bool:
+    """Has it no value though the loss shows one, in a unit that is none, or by what is in doubt?
+    Then no interval and no draw of it is told, either.
+    """
+    return own.value is None and own.reason not in NOTHING_TELLS
 
 
 def with_reasons(parameters: dict[str, Estimate], rig: bool) -> dict[str, Estimate]:
     """Say of every missing value why it is missing."""
     scale_known = parameters["inertia"].value is not None
-
-    gainless = NO_GAIN if parameters["inertia"].reason == NO_GAIN else None
 
     def missing(name: str) -> str:
         if scale_known and name in ("mass", "com_distance"):
@@ -84,6 +85,6 @@ def with_reasons(parameters: dict[str, Estimate], rig: bool) -> dict[str, Estima
         return SCALE_FREE_RIG if rig else SCALE_FREE
 
     return {
-        name: replace(each, reason=gainless or missing(name)) if each.value is None else each
+        name: replace(each, reason=missing(name)) if each.value is None else each
         for name, each in parameters.items()
     }

@@ -46,16 +46,21 @@ def as_taken(problem: Problem, found: Disturbance) -> list[str]:
 
 
 def remarks(
-    problem: Problem, ended: SearchResult, at_bound: set[str], *, swung: bool = False
+    problem: Problem,
+    ended: SearchResult,
+    at_bound: set[str],
+    inertia: float | None,
+    *,
+    swung: bool = False,
 ) -> list[str]:
-    """How segments were taken, what the residual holds, and which limits decided. Of a leg that a
-    tone has `swung` the residual is no noise.
+    """How segments were taken, what the residual holds, and which limits decided. `inertia` is J as
+    it is told, if it is. Of a leg that a tone has `swung` the residual is no noise.
     """
     said, rig = of_impossible(problem, ended), problem.belief.rig
     said += as_taken(problem, ended.disturbance)
     gravity = float(ended.best.coordinates.shared.gravity[0])
-    told = scale_told(ended.local.data + ended.local.prior)
-    inertia = float(ended.best.leg.inertia[0]) if told else None
+    if not scale_told(ended.local.data + ended.local.prior):
+        inertia = None
     said += of_kinds(ended.disturbance)
     unit = np.mean([each.residual_unit / each.angle_noise for each in problem.movements])
     within = float(ended.best.misfit[0]) * unit**2 < problem.samples.sum()
