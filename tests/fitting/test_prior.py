@@ -13,7 +13,8 @@ from exoid.fitting.model.assumptions import Assumptions
 from exoid.fitting.model.belief import NAMES
 from exoid.fitting.model.prior import joint_prior, log_jacobian, prior_residual, with_own
 from exoid.fitting.model.prior_and_limits import believe
-from exoid.physics.anatomy import expected_leg
+from exoid.fitting.model.user_values import ByHand
+from exoid.physics.anatomy import expected_leg, known_leg
 from exoid.physics.leg import GRAVITY, LegParameters
 from fit_cases import BODY, DROP, leg, recorded
 
@@ -142,3 +143,31 @@ def test_a_leg_that_moves_as_none_of_its_body_is_told(radius, strange):
     if strange:
         told = one["inertia"] / (one["mass"] * one["com_distance"])
         assert f"= {radius * told:.3f} m, and anatomy expects {told:.3f} ±" in found[0]
+
+
+STUMP = {"mass": 1.75, "com_distance": 0.088}
+OF_STUMP = 0.0215  # kg m^2, of a transtibial stump of that mass and COM distance: 1.59 m l^2
+
+
+@pytest.mark.parametrize("by", ["fix", "expect", "sidecar"])
+def test_what_is_said_of_mass_and_distance_decides_what_the_inertia_can_be(by):
+    """A whole leg of this body has at least 0.07 kg m^2."""
+    person, hand = BODY, ByHand()
+    if by == "fix":
+        hand = ByHand(fix=STUMP)
+    elif by == "expect":
+        hand = ByHand(prior={name: (value, 0.05 * value) for name, value in STUMP.items()})
+    else:
+        person = replace(BODY, shank_foot_mass=1.75, com_distance=0.088)
+    found = believe(person, Assumptions(by_hand=hand))
+    assert float(found.limits.lower.inertia) < OF_STUMP / 2
+    assert found.expected is not None
+    assert found.expected.inertia.value == pytest.approx(OF_STUMP, rel=0.15)
+    assert float(believe(BODY).limits.lower.inertia) > OF_STUMP
+
+
+def test_of_a_known_distance_alone_the_mass_is_the_tables():
+    usual, bent = expected_leg(75.0, 1.75), known_leg(expected_leg(75.0, 1.75), None, 0.2)
+    assert bent.mass.value == pytest.approx(usual.mass.value)
+    assert bent.com_distance.value == pytest.approx(0.2)
+    assert known_leg(usual, None, None) == usual

@@ -1,6 +1,7 @@
 """What is believed of this leg before it moves: the prior and the limits of a fit."""
 
 from dataclasses import replace
+from typing import TypeAlias
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from exoid.physics.anatomy import (
     Body,
     ExpectedLeg,
     expected_leg,
+    known_leg,
     measured_leg,
     paper_prior,
     reach,
@@ -50,7 +52,9 @@ def believe(
         found = Belief("none", None, no_prior(), rig_limits(), "a rig: no anatomy is assumed")
     else:
         expected, note = expectation(subject, assumed.prior)
-        limits = leg_limits(subject, assumed.bounds)
+        own = told_of(subject, hand)
+        expected = None if expected is None else known_leg(expected, *own)
+        limits = leg_limits(subject, assumed.bounds, own)
         name = "none" if expected is None else assumed.prior
         prior = prior_of(expected, assumed)
         found = Belief(name, expected, prior, limits, note, assumed.raw and expected is not None)
@@ -148,18 +152,34 @@ def expectation(subject: Subject, name: PriorName) -> tuple[ExpectedLeg | None, 
     )
 
 
-def leg_limits(subject: Subject, bounds: BoundsName = "body") -> Limits:
+Own: TypeAlias = tuple[float | None, float | None]
+
+
+def told_of(subject: Subject, hand: ByHand) -> Own:
+    """m [kg] and l [m] of this leg where they are known otherwise than by its body: what is fixed
+    or expected by hand before what the sidecar says.
+    """
+
+    def of(name: str, declared: float | None) -> float | None:
+        expected = hand.prior[name][0] if name in hand.prior else declared
+        return hand.fix.get(name, expected)
+
+    return of("mass", subject.shank_foot_mass), of("com_distance", subject.com_distance)
+
+
+def leg_limits(subject: Subject, bounds: BoundsName = "body", own: Own | None = None) -> Limits:
     """What this body's leg can be, any human's where the body is unknown; or Eq. 13 as printed.
+    Where m or l are its `own`, the others follow from those.
 
     The reach is that of the height; Eq. 13 has none.
     """
     if bounds == "paper":
         return limits_of(paper_bounds(), TORQUE, NO_REACH)
     body = body_of(subject)
-    mass, distance = subject.shank_foot_mass, subject.com_distance
+    mass, distance = told_of(subject, ByHand()) if own is None else own
     if body is not None:
         leg = expected_leg(body.mass, body.height, age=body.age, shank_length=subject.shank_length)
-        each = allowed(leg)
+        each = allowed(known_leg(leg, mass, distance))
     elif mass is not None and distance is not None:
         each = allowed(measured_leg(mass, distance))
     else:

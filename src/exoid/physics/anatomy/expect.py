@@ -78,6 +78,26 @@ def measured_leg(mass: float, distance: float) -> ExpectedLeg:
     return leg_of(logarithms, squared(MEASURED), "measured mass and distance")
 
 
+def known_leg(leg: ExpectedLeg, mass: float | None, distance: float | None) -> ExpectedLeg:
+    """The same where m [kg], l [m] or both are known instead: J goes with them, J / (m l) with l as
+    the shape of all tables has it. So does a stump's.
+    """
+    if leg.covariance is None or (mass is None and distance is None):
+        return leg
+    known, shape = (mass, distance), leg.inertia.value / (leg.mass.value * leg.com_distance.value)
+    logarithms = [log(leg.mass.value), log(leg.com_distance.value), log(shape)]
+    covariance = np.array(leg.covariance)
+    told = [at for at, each in enumerate(known) if each is not None]
+    logarithms[:2] = [
+        old if each is None else log(each) for each, old in zip(known, logarithms[:2], strict=True)
+    ]
+    if distance is not None:
+        logarithms[2], told = log(SLENDERNESS * distance), [*told, 2]
+    covariance[told], covariance[:, told] = 0.0, 0.0
+    covariance[told, told] = np.diag(squared(MEASURED))[told]
+    return leg_of(logarithms, covariance, leg.source)
+
+
 def build(
     table: Table, body: Body, shank_length: float | None, shank_radius: float | None
 ) -> Build:

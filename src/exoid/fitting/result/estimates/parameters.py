@@ -42,6 +42,8 @@ def within(
 def expectation(belief: Belief, name: str) -> tuple[float | None, float | None]:
     """What is expected of a parameter, and its standard deviation where it has one."""
     own, weight = belief.by_hand.prior.get(name), float(belief.prior.weight)
+    if belief.by_hand.means(name) == "fix":
+        return None, None
     if own is not None:
         value, deviation = own
     elif belief.expected is not None and name in NAMES:

@@ -24,7 +24,8 @@ MISPLACED = (
 )
 UNLIKE = (
     "no leg of this body, as the tables of anatomy have it, moves like this: a drop with a known "
-    "mass on the leg tells it"
+    "mass on the leg tells it, or its own m and l where they are known (shank_foot_mass_kg and "
+    "com_distance_m of [subject])"
 )
 UNLESS_BENT = (
     "a leg of this body, as the tables of anatomy have it, moves like this only with a spring that "

@@ -51,4 +51,7 @@ def whose(belief: Belief, name: str) -> str:
     if belief.bounds == "paper":
         return "Eq. 13"
     unknown = belief.expected is None or belief.untabled
-    return "any human's" if unknown else "what a leg of this body can have"
+    if unknown:
+        return "any human's"
+    said = {"mass", "com_distance"} & {*belief.by_hand.fix, *belief.by_hand.prior}
+    return f"what a leg of {'that m or l' if said else 'this body'} can have"
