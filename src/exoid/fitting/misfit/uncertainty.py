@@ -153,9 +153,13 @@ def decomposed(information: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Its eigenvalues and vectors, with the vague belief that keeps errors within reason.
 
     Where hardly anything is told, an error is larger than the range in which the motion answers
-    linearly: what leans on it a little must not inherit all of it.
+    linearly: what leans on it a little must not inherit all of it. An eigenvalue within rounding of
+    the largest is none: beside what a long recording tells, that may be as much as the vague belief
+    itself, and a mass that no motion shows would seem told.
     """
-    return np.linalg.eigh(information + VAGUE * np.eye(information.shape[0]))
+    values, vectors = np.linalg.eigh(information)
+    rounding = np.finfo(float).eps * values.size * np.abs(values).max(initial=0.0)
+    return np.where(np.abs(values) > rounding, values, 0.0) + VAGUE, vectors
 
 
 def one_sided(information: np.ndarray, pressed: Pressed) -> np.ndarray:
