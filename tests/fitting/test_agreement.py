@@ -7,6 +7,8 @@ import pytest
 
 from exoid.fitting.misfit.missed import Disturbance, Missed
 from exoid.fitting.result.agreement import astray, of_the_rest, of_unlike
+from exoid.fitting.result.refused.notes import of_causes
+from exoid.fitting.result.remarks.rig_words import of_rig
 from exoid.fitting.result.segment_fit import SegmentFit
 
 TIME = np.arange(300) * 0.01
@@ -51,6 +53,25 @@ def test_another_motion_is_named_with_both_sizes(share):
     why = astray([segment(share * MOVED)])
     assert f"misses the angle by {np.degrees(share * MOVED):.3g} deg" in why
     assert f"the leg moves by {np.degrees(MOVED):.3g} deg" in why
+
+
+def test_a_simulation_that_runs_away_is_not_told_as_a_miss_of_so_many_degrees():
+    """Of a spastic leg that moves by 11 deg, one that went round missed "215 deg"."""
+    why = astray([segment(19 * MOVED)])
+    assert "runs away" in why
+    assert "misses" not in why
+    assert f"{np.degrees(MOVED):.3g} deg" in why
+
+
+def test_a_leg_that_is_not_followed_may_answer_its_stretch_but_no_rig_does():
+    assert "stretch_reflex" in of_causes({"passive"}, rig=False)
+    assert "stretch" not in of_causes({"passive"}, rig=True)
+
+
+def test_a_rig_is_not_called_a_leg():
+    said = "the recording begins as the leg is let go, as a leg is. Legs and my leg.csv stay."
+    of = "the recording begins as the rig is let go, as a rig is. Legs and my leg.csv stay."
+    assert of_rig(said) == of
 
 
 def test_noise_does_not_excuse_another_motion():

@@ -25,6 +25,8 @@ from exoid.trust.open_scale import scale_remark
 from exoid.trust.reversal import reversals
 
 UNDAMPED = 0.1  # 1/s, d / J below which no relaxed leg lies (0.5 to 1.2 do)
+ALIKE_OF_LEG = "a leg that loses no energy or that is moved by its muscles: was it really passive?"
+ALIKE_OF_RIG = "a rig does that loses hardly any energy, or one that is driven: was it left alone?"
 WHOLLY = 0.995  # share that is all
 RESTING = 0.5  # share of a value from which on it rests on the voluntary segments
 
@@ -169,8 +171,8 @@ def torque_remarks(
     still = [each for each in symmetric if not each.voluntary]
     if still:
         said.append(
-            f"{segments(still)} moved the same forwards and backwards in time, as a leg that loses "
-            "no energy or that is moved by its muscles: was it really passive?"
+            f"{segments(still)} moved the same forwards and backwards in time, as "
+            + (ALIKE_OF_RIG if basis.problem.belief.rig else ALIKE_OF_LEG)
         )
     return said
 

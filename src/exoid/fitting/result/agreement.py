@@ -12,6 +12,7 @@ ASTRAY = 0.1  # of how far the leg moves, missed beyond the noise: then it is an
 ALONE = 0.3  # the same of a single segment: a small one may hold what the model misses
 HELD = 0.03  # the same where a limit decided ...
 HELD_NOISE = 10.0  # ... and times the noise
+RUNAWAY = 2.0  # times how far the leg moves: one of its size misses that at most, in antiphase
 EXPLAINED = 3.0  # times the noise, up to which segments are said to be explained
 UNLIKE = 3.0  # times what a kind of segments leaves alone: then one leg does not explain both
 
@@ -121,6 +122,11 @@ def elsewhere(segments: Sequence[SegmentFit]) -> bool:
 
 
 def told(missed: float, moved: float) -> str:
+    if missed >= RUNAWAY * moved:
+        return (
+            f"it runs away from it, farther than the leg moves ({np.degrees(moved):.3g} deg, root "
+            "mean square): with none of the parameters that were tried it stays near"
+        )
     return (
         f"it misses the angle by {np.degrees(missed):.3g} deg, where the leg moves by "
         f"{np.degrees(moved):.3g} deg (both root mean square)"

@@ -57,6 +57,7 @@ from exoid.fitting.result.remarks.doubted_times import as_told, doubted_rate, of
 from exoid.fitting.result.remarks.limit_remarks import limits_met
 from exoid.fitting.result.remarks.noise_remarks import of_leg_tone, tone_of
 from exoid.fitting.result.remarks.remarks import remarks
+from exoid.fitting.result.remarks.rig_words import of_rig
 from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.fitting.result.remarks.torque_zero import off_by_torque_zero
 from exoid.fitting.result.remarks.zero.far_zeros import of_far_zeros
@@ -124,6 +125,7 @@ def describe(
         for number in range(len(problem.movements))
     ]
     why = why_astray(problem, ended, segments, at_bound)
+    why = of_rig(why) if why and problem.belief.rig else why
     result = FitResult(
         parameters=with_reasons(parameters, problem.belief.rig),
         ratios=ratios,
@@ -155,6 +157,9 @@ def describe(
     doubt = why_none(problem) or doubted_scale(told, problem, misplaced(problem, ended), slack)
     if doubt is not None:
         told = without_scale(told, doubt)
+    said = notes(told, basis, at_bound, slack)
+    if problem.belief.rig:
+        said = [of_rig(each) for each in said]
     moment = estimate_moment(basis, told.ratios["gravity_over_inertia"], told.parameters["inertia"])
     moment = moment.widened(grown["gravity_over_inertia"])
     by_distance = elsewhere["inertia"] * (ratios["gravity_over_inertia"].value or 0.0)

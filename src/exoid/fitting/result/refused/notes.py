@@ -40,10 +40,10 @@ SEAT = (
     "hip: hold a level to the thigh)"
 )
 LET_GO = (
-    "of a leg that was let go: {seat}a hand that stays at it or catches it, a muscle that acts, a "
-    "mass that is not declared, an encoder or a strap that drifts, a stop, dry friction "
-    "('exoid fit --with coulomb_friction'), or a spring that is slack elsewhere than at full "
-    "extension (--with stiffness_rest_angle)"
+    "of a leg that was let go: {seat}a hand that stays at it or catches it, a muscle that acts, or "
+    "answers its stretch ('exoid fit --with stretch_reflex'), a mass that is not declared, an "
+    "encoder or a strap that drifts, a stop, dry friction (--with coulomb_friction), or a "
+    "spring that is slack elsewhere than at full extension (--with stiffness_rest_angle)"
 )
 RIG = (
     "of a rig that was let go: dry friction ('exoid fit --with coulomb_friction'), a stop, a "
