@@ -31,6 +31,7 @@ from exoid.fitting.result.equally_good import equally_good
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.estimates.found import mean_of
+from exoid.fitting.result.estimates.gainless import whatever_gain, why_none
 from exoid.fitting.result.estimates.parameters import parameter_estimate
 from exoid.fitting.result.estimates.ratios import (
     estimate_moment,
@@ -47,7 +48,6 @@ from exoid.fitting.result.estimates.terms import estimate_terms
 from exoid.fitting.result.estimates.torque import estimate_torque
 from exoid.fitting.result.find_conditions import find_conditions
 from exoid.fitting.result.fit_result import FitResult, MountingFit, MultistartReport
-from exoid.fitting.result.gainless import whatever_gain, why_none
 from exoid.fitting.result.limiting_systematics import granted, limiting, suspicions
 from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings, numbers_at
 from exoid.fitting.result.refused.notes import of_refused
