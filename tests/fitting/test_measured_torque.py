@@ -61,7 +61,9 @@ def test_what_a_torque_drove_is_not_asked_whether_it_was_passive():
     assert "really passive" not in " ".join(told.sentences)
 
 
-def moved(zero: float, gain: float = 1.0, sensors: Sensors | None = None) -> Recording:
+def moved(
+    zero: float, gain: float = 1.0, sensors: Sensors | None = None, stiffness: float = STIFFNESS
+) -> Recording:
     """A leg that a motor moves by slow and quick sines, its torque read off by a zero [N m] and a
     gain.
     """
@@ -72,7 +74,7 @@ def moved(zero: float, gain: float = 1.0, sensors: Sensors | None = None) -> Rec
     angle = np.radians(-55.0) + np.sin(phases) @ sizes
     velocity, acceleration = np.cos(phases) @ (rates * sizes), -np.sin(phases) @ (rates**2 * sizes)
     torque = INERTIA * acceleration + DAMPING * velocity
-    torque += GRAVITY_MOMENT * np.cos(angle) + STIFFNESS * angle
+    torque += GRAVITY_MOMENT * np.cos(angle) + stiffness * angle
     segment = Segment(
         time=time,
         raw_angle=angle + generator.normal(0, np.radians(0.03), time.size),
@@ -93,6 +95,15 @@ def test_errors_hold_where_a_torque_sensor_reads_off(zero):
     assert (result.ratios["stiffness_over_inertia"].limited_by or {})["torque_zero"] > 0.3
     assert any("the torque sensor's zero limits" in each for each in result.notes)
     assert any("torque_zero_uncertainty_nm" in each for each in result.notes)
+
+
+def test_the_zero_of_an_encoder_is_as_unsure_as_that_of_the_torque_makes_it():
+    """A rig that hangs by 2.8 deg elsewhere for half a newton metre, as far as anybody can tell."""
+    rig = replace(moved(0.5, stiffness=0.0), subject=Subject(kind="rig", spring="none"))
+    found = fit(rig, multistart=2).mountings[0].zero
+    assert found is not None
+    assert abs(found.value) > np.radians(1.0)  # the truth is 0
+    assert abs(found.value) < 2.5 * found.standard_error
 
 
 EXACT_GAIN = Sensors(torque_gain_uncertainty=0.0)

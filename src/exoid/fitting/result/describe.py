@@ -59,7 +59,7 @@ from exoid.fitting.result.remarks.noise_remarks import of_leg_tone, tone_of
 from exoid.fitting.result.remarks.remarks import remarks
 from exoid.fitting.result.remarks.rig_words import of_rig
 from exoid.fitting.result.remarks.scale_remarks import of_scale
-from exoid.fitting.result.remarks.torque_zero import off_by_torque_zero
+from exoid.fitting.result.remarks.torque_zero import moved_by_torque_zero, off_by
 from exoid.fitting.result.remarks.zero.far_zeros import of_far_zeros
 from exoid.fitting.result.remarks.zero.leaning import LEANING, Leaning
 from exoid.fitting.result.remarks.zero.slack_angle import left_open, slack_angle_remarks
@@ -96,7 +96,11 @@ def describe(
     basis = Basis(problem, ended, information_at(problem, ended, leaning))
     plain = estimate_ratios(basis, at_bound)
     odds, steps = at_odds(problem, ended), led_astray(problem, ended)
-    beside, zeros = slanted(problem, ended), off_by_torque_zero(problem, ended)
+    beside, moved = slanted(problem, ended), moved_by_torque_zero(problem, ended)
+    zeros = {
+        name: off_by(moved, mean_of(basis, problem.quantities_of(name), set()).gradient)
+        for name in plain
+    }
     elsewhere = hung_elsewhere(problem, ended)
     ratios = {
         name: each.widened(steps.get(name, 0.0), least=odds.get(name, 0.0))
@@ -109,7 +113,9 @@ def describe(
         name: each.widened(elsewhere[name], cause=DISTANCE)
         for name, each in estimate_leg(basis, ratios, at_bound).items()
     }
-    inertia = parameters["inertia"]
+    by_zero = off_by(moved, mean_of(basis, ["inertia"], set()).gradient)
+    inertia = parameters["inertia"].widened(by_zero, cause="torque_zero")
+    parameters["inertia"] = inertia
     grown = {name: growth(plain[name], each, inertia) for name, each in ratios.items()}
     for name in ("damping", "stiffness"):
         parameters[name] = parameters[name].widened(grown[f"{name}_over_inertia"])
@@ -131,14 +137,14 @@ def describe(
         ratios=ratios,
         torque_amplitude=torque(each_torque) if torques else None,
         segments=segments,
-        mountings=estimate_mountings(basis),
+        mountings=estimate_mountings(basis, moved),
         multistart=report(problem, ended, ratios),
         loss=float(best.loss[0]),
         disturbance=ended.disturbance,
         torque_frequency=reading,
         other_reading_rmse=other_rmse,
         prior=problem.belief.note,
-        terms=estimate_terms(basis, at_bound, inertia),
+        terms=estimate_terms(basis, at_bound, inertia, moved),
         leg=leg_parameters(ended.point, np),
         thigh_angle=float(problem.movements[0].thigh_angle),
         fitted_terms=with_inertia(ended.point, np),

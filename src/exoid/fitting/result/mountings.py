@@ -10,6 +10,7 @@ from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.fit_result import MountingFit
 from exoid.fitting.result.limiting_systematics import WORDS
 from exoid.fitting.result.remarks.added_mass_remarks import of_added_mass
+from exoid.fitting.result.remarks.torque_zero import off_by
 from exoid.fitting.solve.problem import Problem
 
 MOUNTING = {  # name: symbol, title, unit
@@ -38,8 +39,10 @@ MISSES = ", which may make up for what the model misses"
 TOLD = 0.7  # of its prior's error: below it the recording has told something
 
 
-def estimate_mountings(basis: Basis) -> list[MountingFit]:
-    """What every recording owned, where the recording tells more than was known before."""
+def estimate_mountings(basis: Basis, moved: np.ndarray) -> list[MountingFit]:
+    """What every recording owned, where the recording tells more than was known before, the zero of
+    a torque's sensor in its error: it may have `moved` the fit so.
+    """
     problem, point = basis.problem, basis.ended.point
     laid = layout(point)
 
@@ -50,7 +53,7 @@ def estimate_mountings(basis: Basis) -> list[MountingFit]:
             return None
         at = int(getattr(laid.places.mounting, field)[entry])
         gradient = laid.units * (np.arange(laid.size) == at)
-        error = basis.information.standard_error(gradient)
+        error = float(np.hypot(basis.information.standard_error(gradient), off_by(moved, gradient)))
         unplaced = any(one.unplaced for one in problem.recordings[entry])
         always = field in OF_THE_GYRO or (field == "log_distance" and unplaced)
         if not (always or error < TOLD * problem.deviation_of(field)[entry]):
@@ -113,7 +116,7 @@ def beyond_belief(problem: Problem, ended: SearchResult) -> str | None:
                 if field == "torque_zero" and problem.gain_known:
                     size = (outside(problem, field, entry, each) for each in size)
                 unit = "1" if field == "torque_zero" and not problem.gain_known else None
-                why = off(field, *size, unit) + made_up(field, let_go=let_go, misses=misses)
+                why = off(field, *size, unit=unit) + made_up(field, let_go=let_go, misses=misses)
                 if field in OF_THE_MASS:
                     why = of_added_mass(problem, ended, field, entry)
     return why

@@ -2,28 +2,39 @@
 
 from dataclasses import replace
 
+import numpy as np
+
 from exoid.fitting.model.term_parameters import ratio_name, ratio_unit
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.estimates.found import mean_of
 from exoid.fitting.result.estimates.parameters import expectation, within
 from exoid.fitting.result.estimates.scale import SCALE_FREE, UNTOLD, goes_with_scale
+from exoid.fitting.result.remarks.torque_zero import off_by
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.term import name_of
 
 
 def estimate_terms(
-    basis: Basis, at_bound: set[str], inertia: Estimate
+    basis: Basis, at_bound: set[str], inertia: Estimate, moved: np.ndarray
 ) -> dict[str, dict[str, Estimate]]:
-    """Every term's parameters; of those that go with J also what motion alone tells."""
+    """Every term's parameters; of those that go with J also what motion alone tells. Their errors
+    hold what the zero of a torque's sensor may have `moved`.
+    """
+
+    def off(each: Estimate, name: str) -> Estimate:
+        by_zero = off_by(moved, mean_of(basis, [name], set()).gradient)
+        return each.widened(by_zero, cause="torque_zero")
+
     found: dict[str, dict[str, Estimate]] = {}
     for term in basis.problem.terms:
         own = found.setdefault(name_of(term), {})
         for name, declared in declarations(term):
             called = f"{name_of(term)}.{name}"
-            own[name] = term_parameter(called, declared, basis, at_bound)
+            own[name] = off(term_parameter(called, declared, basis, at_bound), called)
             if declared.inertia_power:
                 ratio = term_ratio(called, declared, basis, own[name], at_bound)
+                ratio = off(ratio, ratio_name(called, declared))
                 own[name] = goes_with_scale(own[name], ratio, inertia)
                 own[ratio_name(name, declared)] = by_law(ratio, declared)
             own[name] = by_law(own[name], declared)

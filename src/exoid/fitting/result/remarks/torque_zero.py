@@ -19,21 +19,28 @@ from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.solve.ask import sensed
 from exoid.fitting.solve.problem import Problem
 
+NOISY = 2.0  # times the sensors' noise, from which on the residual tells no zero
 
-def off_by_torque_zero(problem: Problem, ended: SearchResult) -> dict[str, float]:
-    """How far every quantity may be off by it; nothing where no torque is measured, or where it is
-    an unknown of the fit.
+
+def moved_by_torque_zero(problem: Problem, ended: SearchResult) -> np.ndarray:
+    """How far it may have moved the fit, (coordinate, recording), in the units that the solver
+    sees; no column where no torque is measured, or where it is an unknown of the fit.
     """
-    if "torque_zero" in problem.owned:
-        return {}
     deviation = np.array([zero_of_torque(own) for own in problem.recordings])
-    if not deviation.any():
-        return {}
+    if "torque_zero" in problem.owned or not deviation.any():
+        return np.zeros((len(ended.local.prior), 0))
     known, crossed, square, slope = normal_equations(problem, ended, deviation)
     moved = np.linalg.solve(known, crossed.T)  # by a zero of one deviation
     told = variance_left(crossed, moved, square)
-    each = ended.local.quantities @ moved * np.hypot(told * slope, np.sqrt(told))
-    return dict(zip(problem.quantities, np.linalg.norm(each, axis=1), strict=True))
+    size = np.hypot(told * slope, np.sqrt(told))
+    if ended.disturbance.scale > NOISY:  # what is missed would be taken for a zero
+        size = np.maximum(size, 1.0)
+    return moved * size
+
+
+def off_by(moved: np.ndarray, gradient: np.ndarray) -> float:
+    """How far a quantity of this gradient is off where the fit has `moved` so."""
+    return float(np.linalg.norm(gradient @ moved))
 
 
 def variance_left(crossed: np.ndarray, moved: np.ndarray, square: np.ndarray) -> np.ndarray:
