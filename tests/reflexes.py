@@ -27,11 +27,11 @@ def swung(knee, begin, angle, rate, strength):
     return found.y
 
 
-def measured(angle, hertz, seed=0):
-    """What a goniometer of 0.15 deg of noise sees of a leg that was held for a second before."""
-    angle = np.concatenate([np.full(1000, START), angle])
+def measured(angle, hertz, seed=0, noise=0.15):
+    """What a goniometer of so much noise [deg] sees of a leg that was held for a second before."""
+    angle = np.concatenate([np.full(1000, angle[0]), angle])
     time = np.arange(0.0, angle.size * 1e-3 - 1e-3, 1 / hertz)
-    noise = np.random.default_rng(seed).normal(0, np.radians(0.15), time.size)
+    noise = np.random.default_rng(seed).normal(0, np.radians(noise), time.size)
     return Segment(time, raw_angle=np.interp(time, 1e-3 * np.arange(angle.size), angle) + noise)
 
 
@@ -55,6 +55,21 @@ def stretched(knee, start, gain, threshold, delay, lag=0.0, lasting=LASTING):
         before = rates[number - late] if number >= late else 0.0
         called += share * (gain * max(0.0, -before - threshold) - called)
         pulled += share * (called - pulled)
+
+
+def stretched(knee, start, gain, threshold, delay, rise=0.0):
+    """Angle at every millisecond of a leg whose muscle pulls by `gain` [1/s] times how much faster
+    than `threshold` [rad/s] it was stretched `delay` s ago, behind two lags of `rise` s.
+    """
+    every, late = round(1e-3 / STEP), round(delay / STEP)
+    share = STEP / max(rise, STEP)
+    angle, rate, rates, seen = start, 0.0, np.zeros(round(LASTING / STEP)), []
+    active = pulled = 0.0
+    for number in range(rates.size):
+        rates[number] = rate
+        before = rates[number - late] if number >= late else 0.0
+        active += share * (gain * max(0.0, -before - threshold) - active)
+        pulled += share * (active - pulled)
         rate += STEP * (knee.pull(angle, rate) + pulled)
         angle += STEP * rate
         if number % every == 0:

@@ -10,7 +10,8 @@ from exoid.pendulum.drops import measure_drops
 from exoid.recordings.declared.protocol import Protocol
 from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import cut
-from reflexes import CHILD, thrown
+from hands import Knee
+from reflexes import CHILD, measured, stretched, thrown
 
 
 def read(segment):
@@ -64,3 +65,25 @@ def test_noise_is_no_halt():
         for each in noise
     ]
     assert halts == [None] * 24
+
+
+SPASTIC = Knee(27.0, 8.1, 1.49)
+
+
+def falls(gain):
+    """Of a leg whose reflex comes after 55 ms, three, and their lowest angle before they turn."""
+    angles = [
+        stretched(SPASTIC, np.radians(start), gain, 1.2, 0.055, 0.035) for start in (-8, -12, -5)
+    ]
+    halts = [angle[np.argmax(np.diff(angle) > 0)] for angle in angles]
+    segments = [measured(each, 100.0, seed) for seed, each in enumerate(angles)]
+    return Recording(tuple(segments), protocol=Protocol(kind="passive")), halts
+
+
+def test_a_leg_that_its_reflex_turns_around_twice_is_left_alone():
+    """It halts high up, where its later swings hardly tell how a free leg falls, and once more."""
+    recording, halts = falls(24.3)
+    for drop, halt in zip(measure_drops(recording).drops, halts, strict=True):
+        index = drop.measures["relaxation_index"]
+        assert index.value is not None, index.reason
+        assert abs(drop.landmarks.turns[0].value - halt) < np.radians(0.4)  # noise of 0.15 deg

@@ -9,7 +9,8 @@ from exoid.recordings.motion.drops import find_drops
 from exoid.recordings.motion.find_free import find_free
 from exoid.recordings.motion.signal import signal_of
 from exoid.recordings.recording import Recording
-from reflexes import ADULT, CHILD, START, measured, swung, thrown
+from hands import Knee
+from reflexes import ADULT, CHILD, START, measured, stretched, swung, thrown
 
 LIFT, FAR = 0.35, np.radians(30.0)  # s that a hand takes to lift a leg, and how far
 
@@ -47,6 +48,14 @@ def test_a_leg_that_a_hand_lifts_and_lets_fall_was_caught(knee, kept, hertz):
     found = ended(segment)
     assert found.ended == "caught"
     assert segment.time[found.stop - 1] < 1.0 + 0.3 + LIFT + kept + 0.1  # its swings are left out
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_leg_that_rests_after_one_more_swing_is_free_to_the_end(seed):
+    """It turns back by 2 deg, near its rest."""
+    leg = Knee(27.0, 8.1, 1.49)
+    angle = stretched(leg, np.radians(-10.0), 9.46, 1.2, 0.055, rise=0.035)
+    assert ended(measured(angle, 100.0, seed, noise=0.05)).ended == "at rest"
 
 
 def test_what_other_drops_tell_does_not_catch_it():

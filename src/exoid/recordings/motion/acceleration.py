@@ -47,14 +47,18 @@ class Law:
 Part = tuple["Derivatives", slice]  # of a signal, and its samples in which the leg is free
 
 
-def law_of(parts: list[Part]) -> Law | None:
-    """None where the free parts are too short to tell one."""
+EVERY = np.ones(4)
+STRAIGHT = np.array([1.0, 0.0, 1.0, 1.0])  # what small swings tell beyond themselves
+
+
+def law_of(parts: list[Part], told: NDArray[np.float64] = EVERY) -> Law | None:
+    """Of the numbers that are `told`; None where the free parts are too short to tell one."""
     tables, accelerations, alike = [], [], []
     for seen, free in parts:
         inside = within(seen, free)
         if inside.stop - inside.start < FEWEST:
             continue
-        tables.append(seen.table[inside])
+        tables.append(seen.table[inside] * told)
         accelerations.append(seen.acceleration[inside])
         alike.append(max(seen.width / seen.step, 1.0))  # smoothed samples share their noise
     if not tables:
@@ -100,8 +104,12 @@ def free_until(seen: "Derivatives", free: slice, limit: int, law: Law | None = N
 
 
 def gripped_at(seen: "Derivatives", free: slice, limit: int, law: Law) -> int | None:
-    """The first sample after those of `free` at which a hand surely slows the leg down."""
-    return pushed_at(seen, free, limit, law, max(SEIZED * law.usual, GRIP * law.greatest))
+    """The first sample after those of `free` at which a hand surely slows the leg down, beyond what
+    its own law leaves in this signal too: the `law` may be of a better one.
+    """
+    own = own_law(seen, free.start, free.stop)
+    usual = max(law.usual, 0.0 if own is None else own.usual)
+    return pushed_at(seen, free, limit, law, max(SEIZED * usual, GRIP * law.greatest))
 
 
 def pushed_at(seen: "Derivatives", free: slice, limit: int, law: Law, least: float) -> int | None:

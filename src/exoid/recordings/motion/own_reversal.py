@@ -9,7 +9,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.recordings.motion.acceleration import Derivatives, Law, law_of, smoothed_over
+from exoid.recordings.motion.acceleration import (
+    EVERY,
+    STRAIGHT,
+    Derivatives,
+    Law,
+    law_of,
+    smoothed_over,
+)
 from exoid.recordings.motion.signal import Signal, Speed
 from exoid.recordings.motion.swings import Swings, outside, swung
 from exoid.recordings.motion.thresholds import BLUR, CARRIED, EARLY, ROUGH, SURE, SWUNG_ON
@@ -25,21 +32,23 @@ def swung_freely(signal: Signal, speed: Speed, begin: int, free: int) -> Swings:
     last = len(later.at) - 1 if place is None else place - 1
     if last < SWUNG_ON:
         return seen
-    alone = slice(later.at[0], later.at[last])
+    # Its reflex may slow down the fall from the top once more.
+    alone = slice(later.at[int(last > SWUNG_ON + 1)], later.at[last])
     return later if thrown(signal, alone, tops) else seen
 
 
 def thrown(signal: Signal, alone: slice, tops: list[int]) -> bool:
-    """Did the leg fall from all `tops` as in the samples in which it surely was `alone`? By the
-    shortest window that tells it.
-    """
-    for width in BLUR:
-        moves = smoothed_over(signal.samples, width)
-        law = law_of([(moves, alone)])
-        told = [] if law is None else [carried_at(moves, top, law) for top in tops]
-        if told and None not in told:
-            return all(abs(share) < CARRIED for share in told if share is not None)
-    return False
+    """Did the leg fall from all `tops` as in the samples in which it surely was `alone`?"""
+    moves = [smoothed_over(signal.samples, width) for width in BLUR]
+    laws = [(each, law_of([(each, alone)], told)) for told in (EVERY, STRAIGHT) for each in moves]
+    return all(fallen_from(top, laws) for top in tops)
+
+
+def fallen_from(top: int, laws: list[tuple[Derivatives, Law | None]]) -> bool:
+    """By the shortest window that tells it; small swings tell it of a straight law only."""
+    shares = (carried_at(moves, top, law) for moves, law in laws if law is not None)
+    told = next((share for share in shares if share is not None), None)
+    return told is not None and abs(told) < CARRIED
 
 
 def since_thrown(seen: Swings) -> tuple[Swings, list[int]]:

@@ -72,8 +72,8 @@ BLUR = (0.05, 0.1, 0.15, 0.2, 0.3)  # s over which accelerations are smoothed
 
 # A reflex in the first swing. It throws the leg up, which then falls freely.
 EARLY = 3  # the last turning point that lies outside for it: after release, halt and top
-SWUNG_ON = 3  # half swings within each other after it, that no hand makes
-CARRIED = 0.5  # of its free fall at the top: 0 of a leg that is thrown, 1 of one in a hand
+SWUNG_ON = 2  # half swings within each other after it, the last to its rest
+CARRIED = 0.4  # of its free fall at the top: 0 to 0.3 of a leg that is thrown, 1 of one in a hand
 
 # A voluntary cycle. Its onset may be as soft as the begin of a cosine.
 TURN_OF_HOLD = 0.15  # s by which the onset may be before the leg is clear of its rest
