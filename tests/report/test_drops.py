@@ -1,6 +1,7 @@
 """The pendulum test shown: a table that fits a terminal, a document, a figure with its marks."""
 
 import json
+from dataclasses import replace
 from io import StringIO
 
 import numpy as np
@@ -19,6 +20,7 @@ from exoid.report.plots.drops import plot_drops
 from exoid.report.plots.fit import save_figure
 from exoid.report.tables.drops import MOST, print_drops, written
 from exoid.report.words.typeset import mathtext
+from reflexes import CHILD, thrown
 from swings import NOISE, Oscillator, drop, recorded
 
 
@@ -180,3 +182,20 @@ def test_what_an_expected_index_divides_by_is_explained_where_there_is_one(four)
     held = drop(noise=NOISE).segments[0]
     refused = measure_drops(Recording((held,), protocol=Protocol(kind="active")))
     assert "A_e" not in printed(refused)
+
+
+def test_a_mean_over_first_swings_that_end_otherwise_says_so():
+    """Of one leg, two falls that its reflex turns back far enough to end A1, and one it does not."""
+    angles = [thrown(CHILD, strength, 100.0) for strength in (1.5, 1.6, 0.8)]
+    test = measure_drops(Recording(tuple(angles), protocol=Protocol(kind="passive")))
+    joined = " ".join(printed(test).split())
+    assert "first turns back, as by a stretch reflex, in segment 0, 1 (0." in joined
+    assert "at its lowest angle in segment 2 (1." in joined
+    alike = measure_drops(Recording(tuple(angles[:2]), protocol=Protocol(kind="passive")))
+    assert "two kinds of ends" not in printed(alike)
+
+
+def test_a_number_stays_on_the_line_of_its_error(four):
+    long = replace(four.average["period"], mean=0.5913174, standard_deviation=7.9e-6)
+    test = replace(four, average=four.average | {"period": long})
+    assert "(5.913174 ± 0.000079)e-1" in printed(test)

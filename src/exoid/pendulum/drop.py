@@ -1,12 +1,14 @@
 """Drops with the measures that were read off them, and their average."""
 
 from dataclasses import dataclass
+from math import hypot
 from typing import Any
 
 from exoid.pendulum import summary
 from exoid.recordings.landmarks.landmarks import Landmarks
 from exoid.recordings.landmarks.measure import Measure
 from exoid.recordings.landmarks.swing import Curve
+from exoid.recordings.landmarks.track import SURE
 from exoid.recordings.measured.segment import Segment
 
 
@@ -28,6 +30,16 @@ class Drop:
     def measured(self) -> bool:
         """Could anything be read off it?"""
         return any(each.value is not None for each in self.measures.values())
+
+    @property
+    def ends_above(self) -> bool:
+        """Does its first flexion end above its lowest angle, as where a reflex turns it?"""
+        flexions = [] if self.landmarks is None else self.landmarks.turns[::2]
+        first, *later = flexions or [None]
+        if first is None or not later:
+            return False
+        lowest = min(later, key=lambda one: one.value)
+        return first.value - lowest.value > SURE * hypot(first.error, lowest.error)
 
     @property
     def curve(self) -> Curve | None:

@@ -9,7 +9,15 @@ from exoid.report.parts.case import Case
 from exoid.report.pictures.drops import show_drop
 from exoid.report.sections.blocks import Block, element, some
 from exoid.report.sections.section import section
-from exoid.report.tables.drops import SOURCE, loaded, mean, of_mixed_starts, unit_of, value
+from exoid.report.tables.drops import (
+    SOURCE,
+    loaded,
+    mean,
+    of_mixed_ends,
+    of_mixed_starts,
+    unit_of,
+    value,
+)
 from exoid.report.tables.table import Column, Table
 from exoid.report.words.text import by_reason
 
@@ -64,7 +72,7 @@ def average(read: list[Drop], test: PendulumTest) -> str:
     others = ", ".join(test.left_out)
     without = f", not over those with another added mass (segment {others})" if others else ""
     said = f"The mean and its standard deviation are over {alike}{without}."
-    return " ".join(filter(None, (said, of_mixed_starts(test))))
+    return " ".join(filter(None, (said, of_mixed_starts(test), of_mixed_ends(test))))
 
 
 def refused(test: PendulumTest) -> list[str]:

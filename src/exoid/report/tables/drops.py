@@ -12,7 +12,7 @@ from exoid.report.words.text import by_reason, heading, note, say, shown_unit, w
 LARGE = 99.5  # of an error, beyond which two digits of it leave no unit
 ALIKE = 5.0  # deg, by which drops that were meant to begin alike differ
 MOST = 40  # drops with a table of their own
-EXPECTED = "expected_relaxation_index"
+EXPECTED, INDEX = "expected_relaxation_index", "relaxation_index"
 A_E = (
     "A_e is the amplitude to the angle that swings shrink to: of a leg that was left until it hung "
     "still it is A0, of one that was caught or cut before it is what A0 would have been."
@@ -95,8 +95,9 @@ def print_average(test: PendulumTest, console: Console) -> None:
     if test.left_out:
         names = ", ".join(test.left_out)
         say(console, f"Not in it, with another added mass: segment {names}.")
-    if said := of_mixed_starts(test):
-        say(console, said)
+    for said in (of_mixed_starts(test), of_mixed_ends(test)):
+        if said:
+            say(console, said)
 
 
 def of_mixed_starts(test: PendulumTest) -> str | None:
@@ -115,6 +116,30 @@ def of_mixed_starts(test: PendulumTest) -> str | None:
         "scatter with it. Indices, period and decrements hardly do, but where friction or a reflex "
         "acts."
     )
+
+
+def of_mixed_ends(test: PendulumTest) -> str | None:
+    """That first swings end at a halt in some drops and not in others, which no mean of them is of;
+    None where they end alike.
+    """
+    if INDEX not in test.average:
+        return None
+    alike = [drop for drop in test.drops if drop.name in test.average[INDEX].drops]
+    ends = [[drop for drop in alike if drop.ends_above == above] for above in (True, False)]
+    if not all(ends):
+        return None
+    halted, lowest = map(over, ends)
+    return (
+        "Amplitude and indices of the first swing, and what follows it, mix two kinds of ends: "
+        f"where the leg first turns back, as by a stretch reflex, in {halted}; at its lowest angle "
+        f"in {lowest} (mean relaxation index). Compare drops that end alike."
+    )
+
+
+def over(drops: list[Drop]) -> str:
+    """Some segments, and their mean relaxation index."""
+    read = [each for drop in drops if (each := drop.measures[INDEX].value) is not None]
+    return f"segment {', '.join(each.name for each in drops)} ({sum(read) / len(read):.3g})"
 
 
 def value(each: Measure) -> str:

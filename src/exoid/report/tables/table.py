@@ -89,12 +89,13 @@ def with_unit(cell: str, unit: str) -> str:
 
 def print_table(table: Table, console: Console) -> None:
     """Without frame, under its title, as wide as the terminal at most: what is too long for it goes
-    on in a second line.
+    on in a second line, but for numbers with an error.
     """
     columns = fitted(table, console.width)
     drawn = Grid(box=SIMPLE_HEAD, show_edge=False, padding=(0, 1, 0, 0), header_style="bold")
-    for head in columns:
-        drawn.add_column(Text(visible(head, "\n")), overflow="fold")
+    for head, cells in columns.items():
+        whole_numbers = any("±" in cell for cell in cells)
+        drawn.add_column(Text(visible(head, "\n")), overflow="fold", no_wrap=whole_numbers)
     for row in zip(*columns.values(), strict=True):
         drawn.add_row(*(Text(visible(cell, "\n")) for cell in row))
     if table.title:
