@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from exoid.recordings.conventions.jumps import jumping, jumps
+from exoid.recordings.conventions.jumps import jumping, jumps, jumps_of
+from exoid.recordings.measured.segment import Segment
 
 NOISE = 4e-4  # rad
 TIME = 0.01 * np.arange(500)
@@ -94,3 +95,11 @@ def test_a_sample_that_is_missing_beside_a_jump_does_not_hide_it(missing, gyro):
     angle[missing] = np.nan
     (found,) = jumps(TIME, angle, rate if gyro else None, NOISE)
     assert found.time == pytest.approx(2.0, abs=0.011)
+
+
+def test_of_a_segment_that_was_cut_a_jump_is_told_by_the_clock_of_the_recording():
+    angle, rate = swing()
+    angle[200:] += np.radians(2.5)
+    segment = Segment(TIME, raw_angle=angle, raw_angular_velocity=rate, begins=1.9)
+    (found,) = jumps_of(segment, NOISE)
+    assert found.time == pytest.approx(3.9)

@@ -64,9 +64,12 @@ def jumps(time: Samples, angle: Samples, rate: Samples | None, noise: float) -> 
 
 
 def jumps_of(segment: Segment, noise: float) -> list[Jump]:
-    """The same of what the sensors gave; a filter's channels do not jump."""
+    """The same of what the sensors gave, by the clock of the recording; a filter's channels do not
+    jump.
+    """
     angle, rate = segment.raw_angle, segment.raw_angular_velocity
-    return [] if angle is None else jumps(segment.time, angle, rate, noise)
+    clock = segment.begins + segment.time
+    return [] if angle is None else jumps(clock, angle, rate, noise)
 
 
 def told_jumps(found: list[Jump]) -> str:
