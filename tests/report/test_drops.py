@@ -185,7 +185,7 @@ def test_what_an_expected_index_divides_by_is_explained_where_there_is_one(four)
 
 
 def test_a_mean_over_first_swings_that_end_otherwise_says_so():
-    """Of one leg, two falls that its reflex turns back far enough to end A1, and one it does not."""
+    """Of one leg, two falls that its reflex turns back far enough to end A1, and another."""
     angles = [thrown(CHILD, strength, 100.0) for strength in (1.5, 1.6, 0.8)]
     test = measure_drops(Recording(tuple(angles), protocol=Protocol(kind="passive")))
     joined = " ".join(printed(test).split())

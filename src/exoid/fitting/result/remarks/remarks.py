@@ -13,7 +13,7 @@ from exoid.fitting.result.remarks.gyro_remarks import (
 from exoid.fitting.result.remarks.limit_remarks import of_bounds
 from exoid.fitting.result.remarks.noise_remarks import noise_remarks
 from exoid.fitting.result.remarks.residual_remarks import of_kinds, of_residual
-from exoid.fitting.result.remarks.stopped_remarks import of_stopped
+from exoid.fitting.result.remarks.stopped_remarks import of_kept, of_stopped
 from exoid.fitting.result.remarks.upwards_remarks import of_impossible
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.sensing.butterworth_filter import ButterworthFilter
@@ -40,7 +40,7 @@ def as_taken(problem: Problem, found: Disturbance) -> list[str]:
         *of_unused_gyro(problem.movements),
         *of_memory(problem),
         *of_late(problem, found),
-        *of_kept(problem),
+        *of_kept(problem.movements),
         *noise_remarks(problem.movements),
     ]
 
@@ -132,17 +132,6 @@ def of_late(problem: Problem, found: Disturbance) -> list[str]:
         f"the first {longest:.2f} s of segment {', '.join(each.name for each in late)} weigh "
         "nothing: the recording begins as the leg is let go, and they do not fit to the "
         f"rest{hand}. Record from 0.3 s before the release on."
-    ]
-
-
-def of_kept(problem: Problem) -> list[str]:
-    """Which movements count only up to where a hand seems to keep the leg."""
-    return [
-        f"segment {each.name} counts only up to {each.segment.time[each.kept]:.2f} s after its "
-        "release: then it leaves the motion that all drops tell, as where a hand stops the leg and "
-        "keeps it. Leave it alone until it hangs still."
-        for each in problem.movements
-        if each.kept is not None
     ]
 
 

@@ -1,4 +1,4 @@
-"""What the user should know of drops that are stopped before they tell anything."""
+"""What the user should know of drops that something stops, or seems to stop."""
 
 from collections.abc import Sequence
 
@@ -24,3 +24,21 @@ def of_stopped(movements: Sequence[Movement]) -> list[str]:
         "short a swing to tell much of a leg. Touch nothing until it hangs still: if it stops "
         "there by itself and from wherever it is let go, it is friction"
     ]
+
+
+def of_kept(movements: Sequence[Movement]) -> list[str]:
+    """Which movements count only up to where a hand, or what the model lacks, seems to end them."""
+    return [
+        f"segment {each.name} counts only up to {each.segment.time[each.kept]:.2f} s after its "
+        f"release: then it leaves the motion that all drops tell, as where {ending(each)}. Leave "
+        "it alone until it hangs still."
+        for each in movements
+        if each.kept is not None
+    ]
+
+
+def ending(each: Movement) -> str:
+    """Soft hands that its own motion does not show cannot be told from friction of another form."""
+    if each.extent is not None and each.extent.ended == "caught":
+        return "a hand stops the leg and keeps it"
+    return "a hand stops the leg softly, or friction of another form than the model's holds it"
