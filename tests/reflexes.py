@@ -42,28 +42,13 @@ def thrown(knee, strength, hertz):
 STEP = 2e-4  # s
 
 
-def stretched(knee, start, gain, threshold, delay, lag=0.0, lasting=LASTING):
-    """Angle at every millisecond of a leg whose muscle pulls by `gain` [1/s] times how much faster
-    than `threshold` [rad/s] it was stretched `delay` s ago, after two lags of `lag` s.
-    """
-    every, late = round(1e-3 / STEP), round(delay / STEP)
-    share = min(STEP / lag, 1.0) if lag else 1.0
-    angle, rate, rates, seen = start, 0.0, np.zeros(round(lasting / STEP)), []
-    called = pulled = 0.0
-    for number in range(rates.size):
-        rates[number] = rate
-        before = rates[number - late] if number >= late else 0.0
-        called += share * (gain * max(0.0, -before - threshold) - called)
-        pulled += share * (called - pulled)
-
-
-def stretched(knee, start, gain, threshold, delay, rise=0.0):
+def stretched(knee, start, gain, threshold, delay, rise=0.0, lasting=LASTING):
     """Angle at every millisecond of a leg whose muscle pulls by `gain` [1/s] times how much faster
     than `threshold` [rad/s] it was stretched `delay` s ago, behind two lags of `rise` s.
     """
     every, late = round(1e-3 / STEP), round(delay / STEP)
     share = STEP / max(rise, STEP)
-    angle, rate, rates, seen = start, 0.0, np.zeros(round(LASTING / STEP)), []
+    angle, rate, rates, seen = start, 0.0, np.zeros(round(lasting / STEP)), []
     active = pulled = 0.0
     for number in range(rates.size):
         rates[number] = rate

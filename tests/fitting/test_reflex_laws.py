@@ -47,7 +47,7 @@ def test_a_strong_one_does_not_make_its_first_second_all_there_is():
     """Eq. 9 can explain the jerk of the first second by a leg that flies away in the next ones."""
     knee, draw, drops = Knee(27.04, 8.11, 1.486), np.random.default_rng(0), []
     for start in np.radians([-8.0387, -8.9, -9.0, -6.0, -11.0]):
-        angle = stretched(knee, start, 14.86, 1.2, 0.055, lag=0.035, lasting=9.0)[::10]
+        angle = stretched(knee, start, 14.86, 1.2, 0.055, rise=0.035, lasting=9.0)[::10]
         seen = angle + draw.normal(0, 2 * NOISE, angle.size)
         drops.append(Segment(0.01 * np.arange(angle.size), raw_angle=seen))
     body = Subject(kind="leg", body_mass=68.0, height=1.7)

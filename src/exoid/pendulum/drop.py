@@ -35,10 +35,9 @@ class Drop:
     def ends_above(self) -> bool:
         """Does its first flexion end above its lowest angle, as where a reflex turns it?"""
         flexions = [] if self.landmarks is None else self.landmarks.turns[::2]
-        first, *later = flexions or [None]
-        if first is None or not later:
+        if len(flexions) < 2:
             return False
-        lowest = min(later, key=lambda one: one.value)
+        first, lowest = flexions[0], min(flexions[1:], key=lambda one: one.value)
         return first.value - lowest.value > SURE * hypot(first.error, lowest.error)
 
     @property

@@ -59,10 +59,10 @@ from exoid.fitting.result.remarks.noise_remarks import of_leg_tone, tone_of
 from exoid.fitting.result.remarks.remarks import remarks
 from exoid.fitting.result.remarks.rig_words import of_rig
 from exoid.fitting.result.remarks.scale_remarks import of_scale
-from exoid.fitting.result.remarks.torque_zero import moved_by_torque_zero, off_by
 from exoid.fitting.result.remarks.zero.far_zeros import of_far_zeros
 from exoid.fitting.result.remarks.zero.leaning import LEANING, Leaning
 from exoid.fitting.result.remarks.zero.slack_angle import left_open, slack_angle_remarks
+from exoid.fitting.result.remarks.zero.torque_zero import moved_by_torque_zero, off_by
 from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.fitting.result.untold import (
     doubted_scale,
@@ -154,18 +154,9 @@ def describe(
     )
     told = without_bare(without_lost(result), problem)
     slack = open_for_slack(told, basis)
-    doubt = doubted_scale(told, problem, misplaced(problem, ended), slack)
-    errors = {name: told.ratios[name].standard_error or 0.0 for name in LEANING}
-    errors |= errors_of(told.mountings)
-    numbers = partial(numbers_at, problem)
-    free = basis.information.open
-    slack = left_open(problem, ended, free, errors, numbers) if told.follows else None
     doubt = why_none(problem) or doubted_scale(told, problem, misplaced(problem, ended), slack)
     if doubt is not None:
         told = without_scale(told, doubt)
-    said = notes(told, basis, at_bound, slack)
-    if problem.belief.rig:
-        said = [of_rig(each) for each in said]
     moment = estimate_moment(basis, told.ratios["gravity_over_inertia"], told.parameters["inertia"])
     moment = moment.widened(grown["gravity_over_inertia"])
     by_distance = elsewhere["inertia"] * (ratios["gravity_over_inertia"].value or 0.0)
@@ -178,6 +169,8 @@ def describe(
     told = with_times(replace(told, gravity_moment=moment), off)
     slack = open_for_slack(told, basis) if rate else slack
     said = notes(told, basis, at_bound, slack, rate)
+    if problem.belief.rig:
+        said = [of_rig(each) for each in said]
     return with_slack(replace(told, notes=said), slack)
 
 

@@ -10,7 +10,7 @@ from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.fit_result import MountingFit
 from exoid.fitting.result.limiting_systematics import WORDS
 from exoid.fitting.result.remarks.added_mass_remarks import of_added_mass
-from exoid.fitting.result.remarks.torque_zero import off_by
+from exoid.fitting.result.remarks.zero.torque_zero import off_by
 from exoid.fitting.solve.problem import Problem
 
 MOUNTING = {  # name: symbol, title, unit
