@@ -20,10 +20,18 @@ from fit_cases import recorded
 
 
 @pytest.mark.parametrize(
-    ("share", "doubted"), [(None, False), (0.96, False), (0.04, True), (0.0, True)]
+    ("share", "causes", "doubted"),
+    [
+        (None, 1, False),
+        (0.96, 3, False),
+        (0.52, 1, False),
+        (0.52, 3, True),
+        (0.04, 1, True),
+        (0.0, 2, True),
+    ],
 )
-def test_what_other_segments_would_contradict_is_not_asserted(share, doubted):
-    assert bool(chance(share)) == doubted
+def test_what_other_segments_would_contradict_is_not_asserted(share, causes, doubted):
+    assert bool(chance(share, causes)) == doubted
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ from exoid.recordings.signal.noise import of_hidden_noise
 SHORTEST = 1.5  # s of movement in all, about one swing of a leg
 QUIETEST = np.radians(12.0)  # rad, of movement: less is within straps and skin
 CYCLES = 3  # that a claim about the leg needs where all are voluntary
-MOSTLY = 0.5  # of resampled segments must give the same answer
+MOSTLY, NEARLY_ALL = 0.5, 0.8  # of resampled segments: must name the same cause; the same set
 HALF = 0.5  # of the variance of what is missing, that a formula must explain
 FAINT = 3.0  # mean square over the noise, below which several causes at once are no claim
 FARTHER = 1.0  # standard deviations of legs, by which a cause drives one from what anatomy expects
@@ -135,9 +135,11 @@ def luck(lucky: Chance) -> list[str]:
     ]
 
 
-def chance(repeated: float | None) -> list[str]:
-    """That other segments of the same leg would have given another answer."""
-    if repeated is None or repeated >= MOSTLY:
+def chance(repeated: float | None, causes: int) -> list[str]:
+    """That other segments of the same leg would have given another answer. Of several causes at
+    once there are thousands of sets, and one stands in for another.
+    """
+    if repeated is None or repeated >= (NEARLY_ALL if causes > 1 else MOSTLY):
         return []
     return [
         f"only {repeated:.0%} of resampled segments give the same answer: record more releases, "

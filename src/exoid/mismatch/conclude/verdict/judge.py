@@ -138,12 +138,12 @@ def by_proof(
             ]
         doubts = begins_and_ends(prepared.problem.movements)
         return ("cannot_tell", doubts) if doubts else ("none", [])
-    explained = explains_it(found, best)
+    explained, causes = explains_it(found, best), claimed_at_once(found, best)
     doubts = [
         *little,
         *unsure(prepared, best, shown, explained=explained),
-        *faint(found.base.square / found.yardstick.samples, claimed_at_once(found, best)),
-        *chance(repeated),
+        *faint(found.base.square / found.yardstick.samples, causes),
+        *chance(repeated, causes),
         *luck(lucky),
     ]
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])
