@@ -74,7 +74,8 @@ def judge(case: Case, shown: Proof, repeated: float | None, lucky: Chance) -> Ju
     if unseen:
         verdict, reasons = "cannot_tell", [of_hidden(found, result, unseen[0])]
     if verdict == "mismatch" and case.formula is None and not case.certain:
-        verdict, reasons = "cannot_tell", undecided(found, case.equal)
+        alone = [] if explains_it(found, case.best) else once(found.prepared, case.best)
+        verdict, reasons = "cannot_tell", [*alone, *undecided(found, case.equal)]
     if verdict != "cannot_tell" and case.biased:
         verdict = "mismatch"
     if verdict == "none":
