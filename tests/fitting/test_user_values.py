@@ -91,6 +91,8 @@ def test_of_a_rig_the_ratio_tells_inertia_where_mass_and_distance_are_fixed(star
     assert ratio.value * inertia.value == pytest.approx(1.35 * 0.31 * GRAVITY, rel=1e-5)
     assert inertia.value == pytest.approx(0.173, abs=4 * inertia.standard_error)
     assert not [each for each in found.notes if "could not all be met" in each]
+    assert found.gravity_moment is not None
+    assert found.gravity_moment.set_by == "fixed by you"
 
 
 def test_without_the_spring_the_spring_ratio_is_zero():

@@ -62,7 +62,9 @@ def estimate_moment(basis: Basis, ratio: Estimate, inertia: Estimate) -> Estimat
     found = Found(own.value * over.value, gradient, basis.information, held)
     if any(one.value is None for one in each):
         return Estimate(*MOMENT, value=None, standard_error=None, reason=lost)
-    return found.estimate(MOMENT, reason=why(found.shares, None))
+    fixed = {"mass", "com_distance"} <= set(basis.problem.belief.by_hand.fix)
+    by_hand = "fix" if fixed else None
+    return found.estimate(MOMENT, by_hand=by_hand, reason=why(found.shares, by_hand))
 
 
 def at_its_end(parameter: str, at_bound: set[str], at_zero: bool) -> bool:
