@@ -8,8 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from exoid.physics.cycle_shape import cycle_shape
-from exoid.physics.torque import CycleTorque, MeasuredTorque, NoTorque
+from exoid.physics.torque import CycleTorque, MeasuredTorque, NoTorque, cycle_shape
 
 periods = st.floats(0.5, 8.0)
 amplitudes = st.floats(-250, 250)

@@ -11,7 +11,7 @@ from exoid.pendulum.off_clock import by_clock
 from exoid.physics.anatomy.expect import expected_leg
 from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.physics.anatomy.likeness import off_rate, pendulum_length, rate_of
-from exoid.physics.leg import GRAVITY
+from exoid.physics.gravity import GRAVITY
 from exoid.recordings.conventions.balance import balance
 from exoid.recordings.declared.subject import Subject
 from exoid.recordings.landmarks.measure import Measure

@@ -8,13 +8,12 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float, Inexact
 
 from exoid.physics.cosine import cos
+from exoid.physics.gravity import GRAVITY
 from exoid.physics.parameter import parameter
 from exoid.physics.ratios import Ratios, horizontal
 from exoid.physics.record import record
 from exoid.physics.state import LegState
 from exoid.physics.torque import Torque
-
-GRAVITY = 9.81  # m/s^2, as the paper has it
 
 
 @record

@@ -8,8 +8,8 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Array, Float
 
-from exoid.physics.cycle_shape import cycle_shape
 from exoid.physics.ratios import Ratios
+from exoid.physics.torque import cycle_shape
 
 CARRIED = 2.5  # of a rate times the step: Runge-Kutta of order four carries 2.8
 

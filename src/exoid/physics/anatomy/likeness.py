@@ -6,7 +6,7 @@ It is the length of the simple pendulum that swings as the leg does: g / (m l g 
 from math import hypot, log, sqrt
 
 from exoid.physics.anatomy.expected import STRANGE, Expected, ExpectedLeg
-from exoid.physics.leg import GRAVITY
+from exoid.physics.gravity import GRAVITY
 
 
 def pendulum_length(leg: ExpectedLeg) -> Expected:
