@@ -15,9 +15,7 @@ from exoid.watching.beside.refinement import Refinement
 from exoid.watching.board import Board, Ended
 from exoid.watching.estimate.left_out import LeftOut
 from exoid.watching.estimate.leg import Leg, LegDrop
-from exoid.watching.estimate.moment import Moment
-
-Sink = Callable[[Moment], None]
+from exoid.watching.estimate.moment import Moment, Sink
 
 
 class Follower:

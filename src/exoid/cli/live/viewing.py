@@ -8,7 +8,7 @@ from pathlib import Path
 from exoid.cli.live.panel import Panel
 from exoid.cli.live.saying.json_lines import STDOUT, JsonLines
 from exoid.watching.board import Board
-from exoid.watching.follower import Sink
+from exoid.watching.estimate.moment import Sink
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,8 @@ from exoid.cli.live.panel import Panel
 from exoid.cli.terminal.say import ring
 from exoid.recordings.live.decoding.node_stream import NodeStream
 from exoid.recordings.live.decoding.reading import Reading
-from exoid.watching.follower import Company, Follower, Sink
+from exoid.watching.estimate.moment import Sink
+from exoid.watching.follower import Company, Follower
 
 if TYPE_CHECKING:
     import can

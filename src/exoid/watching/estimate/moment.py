@@ -1,5 +1,6 @@
 """What is known of a leg at a moment of its stream."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import inf
 
@@ -56,3 +57,6 @@ class Moment:
     def quantities(self) -> dict[str, Quantity]:
         """By name; none where none can be believed."""
         return {each.name: each for each in (*self.ratios, *self.others)} if self.believed else {}
+
+
+Sink = Callable[[Moment], None]  # who is told of every moment
