@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exoid.physics.cosine import cos
+from exoid.physics.waves import cos
 
 # The series is good to 1e-15. Where the compiler does not fuse, k pi is rounded: by up to half the
 # spacing of float64 at 64 to 100, 7.1e-15.

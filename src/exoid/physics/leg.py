@@ -7,13 +7,13 @@ import equinox as eqx
 import jax.numpy as jnp
 from jaxtyping import Array, Float, Inexact
 
-from exoid.physics.cosine import cos
 from exoid.physics.gravity import GRAVITY
 from exoid.physics.parameter import parameter
 from exoid.physics.ratios import Ratios, horizontal
 from exoid.physics.record import record
 from exoid.physics.state import LegState
 from exoid.physics.torque import Torque
+from exoid.physics.waves import cos
 
 
 @record

@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Array, Float
 
 from exoid.physics.ratios import Ratios
-from exoid.physics.torque import cycle_shape
+from exoid.physics.waves import cycle_shape
 
 CARRIED = 2.5  # of a rate times the step: Runge-Kutta of order four carries 2.8
 

@@ -7,12 +7,7 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float
 
 from exoid.physics.parameter import parameter
-
-
-def cycle_shape(time, period, frequency, xp=jnp):
-    """Eq. 10 for unit amplitude, 0 before the cycle's clock starts; `xp` is jax.numpy or numpy."""
-    sine = xp.sin(2 * xp.pi * frequency * time)
-    return xp.where(time < 0, 0.0, xp.where(time <= period / 2, -sine, sine))
+from exoid.physics.waves import cycle_shape
 
 
 class Torque(eqx.Module):

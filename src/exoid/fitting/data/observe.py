@@ -12,7 +12,7 @@ from exoid.fitting.data.pace import parts_of
 from exoid.fitting.data.time_jitter import TimeJitter
 from exoid.fitting.model.systematics import SOMEWHERE, beside_unplaced
 from exoid.physics.motion.step import Drive
-from exoid.physics.torque import cycle_shape
+from exoid.physics.waves import cycle_shape
 from exoid.recordings.measured.samples import Samples
 from exoid.recordings.signal.condition import stands, torque_frequencies
 from exoid.recordings.signal.local_line import interpolated

@@ -19,7 +19,7 @@ from exoid.interchange.formula.expression import (
     walk,
 )
 from exoid.interchange.formula.trace import trace
-from exoid.physics.cosine import cos
+from exoid.physics.waves import cos
 
 X = symbol("x")
 EXP_TERMS = 8  # of the series on half of log 2 to each side: the next is below 1e-8
@@ -31,7 +31,7 @@ FLAT = 10.0  # beyond which tanh is 1
 
 @cache
 def functions() -> dict[str, Expression]:
-    """Cosine, sine, exponential and tanh of `x`; the cosine is that of `exoid.physics.cosine`."""
+    """Cosine, sine, exponential and tanh of `x`; the cosine is that of `exoid.physics.waves`."""
     (cosine,) = trace(lambda x: cos(x), (jnp.zeros(()),), ("x",))
     quarter = make("sub", X, number(np.pi / 2))
     clipped = make("min", make("max", X, number(-FLAT)), number(FLAT))
