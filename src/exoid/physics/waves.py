@@ -1,4 +1,4 @@
-"""Waves: cos and sin as polynomials, so that the time loop vectorises, and the voluntary cycle of Eq. 10.
+"""cos and sin as polynomials, so that the time loop vectorises, and the voluntary cycle of Eq. 10.
 
 XLA calls the scalar library routine (10 ns an element, and again in every kernel into which it
 fuses the call); this form costs about a tenth and differs from it by less than 5e-16.
