@@ -13,7 +13,7 @@ from exoid.fitting.data.movement import Movement
 from exoid.fitting.misfit.residual import predict
 from exoid.fitting.model.coordinates import Coordinates, SegmentUnknowns, Unknowns, of_segments
 from exoid.fitting.movements import movements_of
-from exoid.fitting.multistart.starts import first_state
+from exoid.fitting.multistart.beginning.starts import first_state
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.ask import take
 from exoid.fitting.solve.pose import pose

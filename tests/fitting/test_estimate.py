@@ -9,7 +9,7 @@ import pytest
 from scipy.stats import binom
 
 from exoid.fitting.estimate import fit
-from exoid.fitting.multistart.starts import draw
+from exoid.fitting.multistart.beginning.starts import draw
 from exoid.fitting.result.estimates.parameters import ON_BOUND
 from exoid.physics.anatomy import expected_leg
 from exoid.physics.leg import LegModel, LegParameters

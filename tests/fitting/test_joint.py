@@ -8,7 +8,7 @@ import pytest
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.model.systematics import WEIGHED
-from exoid.fitting.multistart.starts import draw
+from exoid.fitting.multistart.beginning.starts import draw
 from exoid.physics.leg import GRAVITY, LegModel
 from exoid.physics.torque import NoTorque
 from exoid.recordings.recording import Recording

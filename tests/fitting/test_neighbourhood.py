@@ -11,7 +11,7 @@ from exoid.fitting.model.coordinates import flattened, layout, take, typical, un
 from exoid.fitting.model.prior import mounting_residual
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.movements import movements_of
-from exoid.fitting.multistart.starts import coordinates, term_starts
+from exoid.fitting.multistart.beginning.starts import coordinates, term_starts
 from exoid.fitting.solve.pose import pose
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from fit_cases import BODY, DROP, recorded

@@ -14,7 +14,7 @@ from exoid.fitting.data.segment import movement
 from exoid.fitting.misfit.residual import predict
 from exoid.fitting.model.coordinates import Coordinates, SegmentUnknowns, Shared, of_segments
 from exoid.fitting.model.prior_and_limits import believe
-from exoid.fitting.multistart.starts import usual_mounting
+from exoid.fitting.multistart.beginning.starts import usual_mounting
 from exoid.fitting.solve.pose import pose
 from exoid.physics.leg import LegModel
 from exoid.physics.torque import NoTorque

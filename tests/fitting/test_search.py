@@ -8,9 +8,9 @@ import pytest
 from exoid.fitting.data.conditioning_chain import Raw
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.movements import movements_of
-from exoid.fitting.multistart.search import HOPELESS, basins
+from exoid.fitting.multistart.beginning.led_to_data import HOPELESS, basins
+from exoid.fitting.multistart.beginning.starts import coordinates
 from exoid.fitting.multistart.settle import stands_still
-from exoid.fitting.multistart.starts import coordinates
 from exoid.fitting.solve import ask
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.program_values import solved_structure

@@ -10,8 +10,8 @@ from exoid.fitting.model.coordinates import take
 from exoid.fitting.model.prior import belief_residual
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.movements import movements_of
+from exoid.fitting.multistart.beginning.starts import coordinates
 from exoid.fitting.multistart.settle import as_believed
-from exoid.fitting.multistart.starts import coordinates
 from exoid.fitting.solve.pose import pose
 from fit_cases import BODY, DROP, recorded
 

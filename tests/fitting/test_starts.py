@@ -12,8 +12,8 @@ from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
 from exoid.fitting.model.limits import constraint_names
 from exoid.fitting.model.prior_and_limits import leg_limits, limits_by_hand
 from exoid.fitting.model.user_values import ByHand
-from exoid.fitting.multistart.starts import check_draw, coordinates, draw, first_state
-from exoid.fitting.multistart.tethers import within_reach
+from exoid.fitting.multistart.beginning.starts import check_draw, coordinates, draw, first_state
+from exoid.fitting.multistart.beginning.tethers import within_reach
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
 from exoid.recordings.declared.subject import Subject

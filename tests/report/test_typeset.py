@@ -4,8 +4,8 @@ import pytest
 from markupsafe import Markup
 
 from exoid.fitting.model.user_values import DECLARED
+from exoid.fitting.result.estimates.owned import MOUNTING
 from exoid.fitting.result.estimates.ratios import RATIOS
-from exoid.fitting.result.mountings import MOUNTING
 from exoid.pendulum.catalogue import MEASURES
 from exoid.report.words.typeset import GREEK, formula, mathtext, typeset
 

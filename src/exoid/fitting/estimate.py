@@ -21,9 +21,15 @@ from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.user_values import Bounds, Expectations, Fixed
 from exoid.fitting.movements import left_out, movements_in
+from exoid.fitting.multistart.beginning.starts import (
+    check_draw,
+    draw,
+    driven,
+    informed,
+    term_starts,
+)
 from exoid.fitting.multistart.search import never, search
 from exoid.fitting.multistart.search_result import Plain, SearchResult
-from exoid.fitting.multistart.starts import check_draw, draw, driven, informed, term_starts
 from exoid.fitting.one_leg import check_one_leg
 from exoid.fitting.result.describe import describe
 from exoid.fitting.result.fit_result import FitResult

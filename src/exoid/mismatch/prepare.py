@@ -11,8 +11,8 @@ from exoid.fitting.data.pace import LEG, quickest
 from exoid.fitting.model.coordinates import Coordinates
 from exoid.fitting.model.mounting import Mounting, acting
 from exoid.fitting.model.systematics import OF_THE_GYRO, OWNED
-from exoid.fitting.multistart.starts import first_state, usual_mounting
-from exoid.fitting.multistart.tethers import tethers
+from exoid.fitting.multistart.beginning.starts import first_state, usual_mounting
+from exoid.fitting.multistart.beginning.tethers import tethers
 from exoid.fitting.result.agreement import elsewhere
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.segment_fit import pooled

@@ -19,7 +19,7 @@ from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.neighbourhood import columns
 from exoid.fitting.misfit.uncertainty import Information
 from exoid.fitting.model.coordinates import Coordinates, SegmentUnknowns, Shared, quantities
-from exoid.fitting.multistart.starts import first_state, usual_mounting
+from exoid.fitting.multistart.beginning.starts import first_state, usual_mounting
 from exoid.fitting.solve.ask import grams_in, sensed
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem

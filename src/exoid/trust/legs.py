@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from exoid.fitting.misfit.uncertainty import Information
-from exoid.fitting.multistart.simpler_problems import with_inertia_kept
-from exoid.fitting.multistart.starts import usual_mounting
-from exoid.fitting.multistart.tethers import FINE
+from exoid.fitting.multistart.beginning.simpler_problems import with_inertia_kept
+from exoid.fitting.multistart.beginning.starts import usual_mounting
+from exoid.fitting.multistart.beginning.tethers import FINE
 from exoid.fitting.multistart.weight_by_kind import explained
 from exoid.fitting.result.estimates.ratios import RATIOS
 from exoid.fitting.result.fit_result import FitResult

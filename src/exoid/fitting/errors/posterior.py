@@ -24,10 +24,11 @@ from exoid.fitting.model.coordinates import Coordinates, quantities
 from exoid.fitting.model.term_parameters import parameters_of, ratio_name, ratio_unit
 from exoid.fitting.model.user_values import DECLARED
 from exoid.fitting.result.estimates.basis import Basis
+from exoid.fitting.result.estimates.owned import FIELDS, MOUNTING, in_no_unit
 from exoid.fitting.result.estimates.ratios import RATIOS
 from exoid.fitting.result.estimates.scale import hidden
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.result.mountings import FIELDS, MOUNTING, outside
+from exoid.fitting.result.mountings import outside
 
 PACKAGES = ("blackjax", "arviz", "h5netcdf")
 MISSING = f"a posterior needs more packages: {installing('posterior')}"
@@ -145,8 +146,8 @@ def placed(basis: Basis, at: Coordinates) -> tuple[dict[str, np.ndarray], dict[s
     """Values and units of what recordings own, by the recording's number."""
     values, units = {}, {}
     for field in basis.problem.owned:
-        if field == "torque_zero" and not basis.problem.gain_known:
-            continue  # it is in no unit
+        if in_no_unit(basis.problem, field):
+            continue
         for entry in basis.problem.estimated(field):
             name, row = FIELDS[field], getattr(at.mounting, field)[entry]
             key = f"{name}[{basis.problem.recordings[entry][0].recording}]"

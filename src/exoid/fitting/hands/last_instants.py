@@ -10,7 +10,8 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement, weightless
 from exoid.fitting.hands.first_instants import disturbed
-from exoid.fitting.multistart.search_result import LOOKING, SearchResult
+from exoid.fitting.multistart.beginning.tethers import LOOKING
+from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.solve.ask import advance, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved

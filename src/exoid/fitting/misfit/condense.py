@@ -20,11 +20,7 @@ from exoid.fitting.data.observation import Observation
 from exoid.fitting.data.stage import Stage
 from exoid.fitting.misfit.condensed import Condensed, Sensed
 from exoid.fitting.misfit.rollout import Rollout, of_unknowns, sweep
-from exoid.fitting.model.coordinates import (
-    Coordinates,
-    Unknowns,
-    by_segment,
-)
+from exoid.fitting.model.coordinates import Coordinates, Unknowns, by_segment
 from exoid.physics.motion.step import Drive
 from exoid.physics.state import LegState
 

@@ -17,15 +17,9 @@ from exoid.fitting.misfit.condensed import Neighbourhood
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import declared_slopes
 from exoid.fitting.model.coordinates import TYPICAL, places
-from exoid.fitting.model.systematics import (
-    DISAGREE,
-    FOOT,
-    MISREAD,
-    SELDOM,
-    SLANT,
-    sharing,
-)
+from exoid.fitting.model.systematics import DISAGREE, FOOT, MISREAD, SELDOM, SLANT, sharing
 from exoid.fitting.model.term_parameters import parameters_of
+from exoid.fitting.multistart.beginning.tethers import FINE
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.multistart.weight_by_kind import likelihood
 from exoid.fitting.solve.ask import advance, lowest, take, task, told_at
@@ -36,7 +30,6 @@ from exoid.recordings.signal.both_sensors.sensor_scales import suspected
 CONVINCING = 3.0  # gain of log likelihood from which on a seat is held for tilted
 STEEPEST = np.radians(5.0)  # standard deviation of its tilt
 LYING = 2.0  # times it: a fit with a seat that is tilted by more takes it for something else
-FINE = 1e-2  # tolerance, in units of noise
 BEYOND = 2.0  # times it the gyro's own may be
 VAGUE = 1e-9  # of every information, and of one typical step, that is known of everything
 

@@ -14,9 +14,9 @@ from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import prior_information
 from exoid.fitting.model.coordinates import TYPICAL, places
 from exoid.fitting.model.systematics import OWNED
+from exoid.fitting.multistart.beginning.simpler_problems import with_inertia_kept
+from exoid.fitting.multistart.beginning.tethers import FINE
 from exoid.fitting.multistart.search_result import scale_told
-from exoid.fitting.multistart.simpler_problems import with_inertia_kept
-from exoid.fitting.multistart.tethers import FINE
 from exoid.fitting.multistart.weight_by_kind import (
     as_weighed,
     by_themselves,

@@ -14,7 +14,6 @@ from exoid.fitting.model.limits import Prior
 from exoid.fitting.solve.program_values import Solved
 
 LIMITED = 1e-3  # tolerance with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
-LOOKING = np.inf  # tolerance of a solver that is not to leave its point
 FEASIBLE = 1e-4  # relative violation that is rounding of the multiplier method
 SAME_LOSS = 1e-3  # relative; other minima lie orders of magnitude higher
 Plain = Callable[[Disturbance], bool]  # is the answer, by what is missed?

@@ -16,8 +16,9 @@ from exoid.fitting.model.coordinates import (
 )
 from exoid.fitting.model.fixed_values import imposed
 from exoid.fitting.model.prior import belief_residual
-from exoid.fitting.multistart.search_result import FEASIBLE, LIMITED, LOOKING, scale_told
-from exoid.fitting.multistart.simpler_problems import with_inertia_kept
+from exoid.fitting.multistart.beginning.simpler_problems import with_inertia_kept
+from exoid.fitting.multistart.beginning.tethers import LOOKING
+from exoid.fitting.multistart.search_result import FEASIBLE, LIMITED, scale_told
 from exoid.fitting.solve.ask import BATCH, PAIR, advance, around, finite, lowest, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved

@@ -18,7 +18,7 @@ from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.missed import KINDS, NOISY, Disturbance, Missed
 from exoid.fitting.model.coordinates import layout
-from exoid.fitting.multistart.tethers import FINE, led
+from exoid.fitting.multistart.beginning.tethers import FINE, led
 from exoid.fitting.solve.ask import advance, better_of, declared_at, grams_at, left_by, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved

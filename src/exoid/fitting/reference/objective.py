@@ -32,7 +32,7 @@ from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.prior import mounting_residual, prior_residual, term_residual
 from exoid.fitting.model.systematics import OWNED
 from exoid.fitting.model.term_parameters import over_inertia, typical_term, with_values
-from exoid.fitting.multistart.starts import first_state, usual_mounting
+from exoid.fitting.multistart.beginning.starts import first_state, usual_mounting
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import LegParameters
 from exoid.physics.record import record

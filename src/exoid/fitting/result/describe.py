@@ -1,20 +1,12 @@
 """From where a search ended to values with errors, units and reasons."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 
-from exoid.fitting.misfit.neighbourhood import columns, told
-from exoid.fitting.misfit.uncertainty import Information, Pressed, decomposed, inverse_times
 from exoid.fitting.model.belief import NAMES
-from exoid.fitting.model.constraint import NEVER, violations_at
-from exoid.fitting.model.coordinates import (
-    layout,
-    leg_parameters,
-    places,
-    with_inertia,
-)
+from exoid.fitting.model.coordinates import leg_parameters, with_inertia
 from exoid.fitting.multistart.at_odds import at_odds
 from exoid.fitting.multistart.gross_errors import hung_elsewhere, slanted
 from exoid.fitting.multistart.pulled_by_declared import led_astray
@@ -32,6 +24,7 @@ from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.estimates.found import mean_of
 from exoid.fitting.result.estimates.gainless import whatever_gain, why_none
+from exoid.fitting.result.estimates.information import information_at, leans
 from exoid.fitting.result.estimates.parameters import parameter_estimate
 from exoid.fitting.result.estimates.ratios import (
     estimate_moment,
@@ -39,17 +32,14 @@ from exoid.fitting.result.estimates.ratios import (
     label_of,
     none_of,
 )
-from exoid.fitting.result.estimates.scale import (
-    goes_with_mass,
-    goes_with_scale,
-    with_reasons,
-)
+from exoid.fitting.result.estimates.scale import goes_with_mass, goes_with_scale, with_reasons
 from exoid.fitting.result.estimates.terms import estimate_terms
 from exoid.fitting.result.estimates.torque import estimate_torque
+from exoid.fitting.result.estimates.torque_zero import moved_by_torque_zero, off_by
 from exoid.fitting.result.find_conditions import find_conditions
 from exoid.fitting.result.fit_result import FitResult, MountingFit, MultistartReport
 from exoid.fitting.result.limiting_systematics import granted, limiting, suspicions
-from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings, numbers_at
+from exoid.fitting.result.mountings import beyond_belief, estimate_mountings, numbers_at
 from exoid.fitting.result.refused.notes import of_refused
 from exoid.fitting.result.remarks.added_mass_remarks import misplaced, of_misplaced
 from exoid.fitting.result.remarks.anatomy_remarks import SWING, of_anatomy
@@ -62,7 +52,6 @@ from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.fitting.result.remarks.zero.far_zeros import of_far_zeros
 from exoid.fitting.result.remarks.zero.leaning import LEANING, Leaning
 from exoid.fitting.result.remarks.zero.slack_angle import left_open, slack_angle_remarks
-from exoid.fitting.result.remarks.zero.torque_zero import moved_by_torque_zero, off_by
 from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.fitting.result.untold import (
     doubted_scale,
@@ -72,15 +61,12 @@ from exoid.fitting.result.untold import (
     without_lost,
     without_scale,
 )
-from exoid.fitting.solve.ask import around, finite, take
+from exoid.fitting.solve.ask import finite
 from exoid.fitting.solve.problem import Problem
 from exoid.recordings.conventions.jumps import jumping
 
 DISTANCE = "added_mass_distance"  # as it is called outside
 UNFINISHED = "it was still moving when its steps ran out"
-# Of half a chi-square for a typical step of what is limited: where nothing tells a value, a search
-# may end on a limit that does not hold it back.
-PRESSING = 1e-3
 WIDENED = "Errors are widened for it: record the leg without it, if that can be."
 UNSETTLED = "the search was still moving when its steps ran out"
 
@@ -90,18 +76,71 @@ def describe(
 ) -> FitResult:
     """The numbers with their errors, units and reasons."""
     ended = whatever_gain(problem, ended)
-    best = ended.best
-    leaning = leans(problem, ended)
+    best, leaning = ended.best, leans(problem, ended)
     at_bound = {name for name, hold in zip(problem.constraints, leaning, strict=True) if hold}
     basis = Basis(problem, ended, information_at(problem, ended, leaning))
-    plain = estimate_ratios(basis, at_bound)
-    odds, steps = at_odds(problem, ended), led_astray(problem, ended)
-    beside, moved = slanted(problem, ended), moved_by_torque_zero(problem, ended)
+    moved = moved_by_torque_zero(problem, ended)
+    leg = of_leg(basis, at_bound, moved)
+    inertia = leg.parameters["inertia"]
+
+    def torque(names: list[str]) -> Estimate:
+        own = estimate_torque(basis, names, at_bound)
+        return goes_with_scale(own, leg.ratios["torque_over_inertia"], inertia)
+
+    each_torque = problem.quantities_of("torque_amplitude")
+    torques = dict(zip(problem.voluntary, ([name] for name in each_torque), strict=True))
+    segments = [
+        segment_fit(basis, number, torque(torques[number]) if number in torques else None)
+        for number in range(len(problem.movements))
+    ]
+    result = FitResult(
+        parameters=with_reasons(leg.parameters, problem.belief.rig),
+        ratios=leg.ratios,
+        torque_amplitude=torque(each_torque) if torques else None,
+        segments=segments,
+        mountings=estimate_mountings(basis, moved),
+        multistart=report(problem, ended, leg.ratios),
+        loss=float(best.loss[0]),
+        disturbance=ended.disturbance,
+        torque_frequency=reading,
+        other_reading_rmse=other_rmse,
+        prior=problem.belief.note,
+        terms=estimate_terms(basis, at_bound, inertia, moved),
+        leg=leg_parameters(ended.point, np),
+        thigh_angle=float(problem.movements[0].thigh_angle),
+        fitted_terms=with_inertia(ended.point, np),
+        notes=[],
+        astray=why_astray(problem, ended, segments, at_bound),
+        basis=basis,
+    )
+    return with_doubts(result, basis, leg, at_bound)
+
+
+@dataclass(frozen=True)
+class OfLeg:
+    """The leg's numbers, and the errors of m l g beside those of its factors."""
+
+    ratios: dict[str, Estimate]
+    parameters: dict[str, Estimate]
+    moment_grown: float  # N m, with the error of m l g / J
+    moment_by_distance: float  # N m, for an added mass that hangs elsewhere
+
+
+def of_leg(basis: Basis, at_bound: set[str], moved: np.ndarray) -> OfLeg:
+    """Ratios and parameters, wider by what the search cannot see: odds, declared values that led
+    it, a slanted seat, a torque's zero that has `moved` it, an added mass that hangs elsewhere.
+    """
+    problem, ended = basis.problem, basis.ended
+    plain, elsewhere = estimate_ratios(basis, at_bound), hung_elsewhere(problem, ended)
+    odds, steps, beside = (
+        at_odds(problem, ended),
+        led_astray(problem, ended),
+        slanted(problem, ended),
+    )
     zeros = {
         name: off_by(moved, mean_of(basis, problem.quantities_of(name), set()).gradient)
         for name in plain
     }
-    elsewhere = hung_elsewhere(problem, ended)
     ratios = {
         name: each.widened(steps.get(name, 0.0), least=odds.get(name, 0.0))
         .widened(beside.get(name, 0.0), cause="tilt")
@@ -119,50 +158,23 @@ def describe(
     grown = {name: growth(plain[name], each, inertia) for name, each in ratios.items()}
     for name in ("damping", "stiffness"):
         parameters[name] = parameters[name].widened(grown[f"{name}_over_inertia"])
+    by_distance = elsewhere["inertia"] * (ratios[SWING].value or 0.0)
+    return OfLeg(ratios, parameters, grown[SWING], by_distance)
 
-    def torque(names: list[str]) -> Estimate:
-        own = estimate_torque(basis, names, at_bound)
-        return goes_with_scale(own, ratios["torque_over_inertia"], inertia)
 
-    each_torque = problem.quantities_of("torque_amplitude")
-    torques = dict(zip(problem.voluntary, ([name] for name in each_torque), strict=True))
-    segments = [
-        segment_fit(basis, number, torque(torques[number]) if number in torques else None)
-        for number in range(len(problem.movements))
-    ]
-    why = why_astray(problem, ended, segments, at_bound)
-    why = of_rig(why) if why and problem.belief.rig else why
-    result = FitResult(
-        parameters=with_reasons(parameters, problem.belief.rig),
-        ratios=ratios,
-        torque_amplitude=torque(each_torque) if torques else None,
-        segments=segments,
-        mountings=estimate_mountings(basis, moved),
-        multistart=report(problem, ended, ratios),
-        loss=float(best.loss[0]),
-        disturbance=ended.disturbance,
-        torque_frequency=reading,
-        other_reading_rmse=other_rmse,
-        prior=problem.belief.note,
-        terms=estimate_terms(basis, at_bound, inertia, moved),
-        leg=leg_parameters(ended.point, np),
-        thigh_angle=float(problem.movements[0].thigh_angle),
-        fitted_terms=with_inertia(ended.point, np),
-        notes=[],
-        astray=why,
-        basis=basis,
-    )
+def with_doubts(result: FitResult, basis: Basis, leg: OfLeg, at_bound: set[str]) -> FitResult:
+    """The same without what the recording contradicts or does not tell, with m l g of what is left,
+    with what stays open for times and for the knee's spring, and with its notes.
+    """
+    problem, ended = basis.problem, basis.ended
     told = without_bare(without_lost(result), problem)
     slack = open_for_slack(told, basis)
     doubt = why_none(problem) or doubted_scale(told, problem, misplaced(problem, ended), slack)
     if doubt is not None:
         told = without_scale(told, doubt)
-    moment = estimate_moment(basis, told.ratios["gravity_over_inertia"], told.parameters["inertia"])
-    moment = moment.widened(grown["gravity_over_inertia"])
-    by_distance = elsewhere["inertia"] * (ratios["gravity_over_inertia"].value or 0.0)
-    moment = moment.widened(by_distance, cause=DISTANCE)
-    swing = told.ratios[SWING]
-    rate = 0.0
+    moment = estimate_moment(basis, told.ratios[SWING], told.parameters["inertia"])
+    moment = moment.widened(leg.moment_grown).widened(leg.moment_by_distance, cause=DISTANCE)
+    swing, rate = told.ratios[SWING], 0.0
     if told.follows and swing.value is not None:
         rate = doubted_rate(problem, swing.value, swing.standard_error or 0.0, slack)
     off = off_by_times(problem, ended, rate, partial(numbers_at, problem))
@@ -233,29 +245,6 @@ def notes(
     ]
 
 
-def leans(problem: Problem, ended: SearchResult) -> np.ndarray:
-    """Which constraints hold the best fit back; what was fixed by hand is none of them."""
-    by_hand = [name in problem.belief.by_hand.fix for name in problem.constraints]
-    return (ended.best.multiplier[0] > PRESSING) & ~np.array(by_hand)
-
-
-def information_at(problem: Problem, ended: SearchResult, leaning: np.ndarray) -> Information:
-    """What is known around the best fit, and what holds it."""
-    local, names = ended.local, problem.constraints
-    by_hand = problem.belief.by_hand.fix
-    # Both ends of a range that is a value are one constraint.
-    fixed = np.array([name in by_hand and name not in names[:at] for at, name in enumerate(names)])
-    return Information(
-        data=local.data + local.declared,
-        prior=local.prior - local.declared,
-        active=local.constraints[fixed],
-        pressed=pressed_at(problem, ended, np.flatnonzero(leaning)),
-        fixed=local.constraints[fixed],
-        kinds=told_by_kind(problem, ended),
-        owned=owned_places(problem, ended),
-    )
-
-
 def estimate_leg(
     basis: Basis, ratios: dict[str, Estimate], at_bound: set[str]
 ) -> dict[str, Estimate]:
@@ -280,49 +269,11 @@ def why_astray(
 ) -> str | None:
     """Why the fit does not follow the recording, or should not; None where it does."""
     why = jumping({each.name: each.jumps for each in problem.movements})
-    if why is not None:
-        return why
-    why = astray(believed(segments, ended.disturbance), limits_met(problem, at_bound))
+    if why is None:
+        why = astray(believed(segments, ended.disturbance), limits_met(problem, at_bound))
     why = beyond_belief(problem, ended) if why is None else why
-    return UNSETTLED if why is None and ended.best.exhausted[0] else why
-
-
-def pressed_at(problem: Problem, ended: SearchResult, rows: np.ndarray) -> Pressed:
-    """Limits that hold the best fit: how far beyond them it would be, by what it minimised."""
-    best, gradients, names = ended.best, ended.local.constraints[rows], problem.constraints
-    if not rows.size:
-        return Pressed(gradients, np.zeros(0), np.zeros(0))
-    searched = around(problem, best)
-    known = decomposed(searched.data + searched.prior)
-    variance = np.array([each @ inverse_times(known, each) for each in gradients])
-    values = violations_at(problem.belief.limits, ended.point, np)
-
-    def room(row: int) -> float:
-        ends = [k for k, name in enumerate(names) if name == names[row] and k != row]
-        return min((-values[k] for k in ends if values[k] != NEVER), default=np.inf)
-
-    beyond = best.multiplier[0, rows] * variance
-    return Pressed(gradients, beyond, np.array([room(row) for row in rows.tolist()]))
-
-
-def owned_places(problem: Problem, ended: SearchResult) -> dict[str, np.ndarray]:
-    """The coordinates of everything that recordings own, by its name."""
-    numbers = places(ended.point).mounting
-    free = {name: getattr(numbers, name)[problem.estimated(name)] for name in problem.owned}
-    return {FIELDS[name]: at for name, at in free.items() if at.size}
-
-
-def told_by_kind(problem: Problem, ended: SearchResult) -> dict[str, np.ndarray]:
-    """The weighed information of every kind of segment, where there are several."""
-    kinds, found = dict.fromkeys(problem.kinds), {}
-    if len(kinds) < 2:
-        return found
-    place, size = columns(ended.point, problem.observation.owner), layout(ended.point).size
-    for kind in kinds:
-        own = np.array([each == kind for each in problem.kinds])
-        condensed = take(take(ended.best.condensed, 0), own)
-        found[kind] = told(condensed, place[own], size)
-    return found
+    why = UNSETTLED if why is None and ended.best.exhausted[0] else why
+    return of_rig(why) if why and problem.belief.rig else why
 
 
 def segment_fit(basis: Basis, number: int, torque: Estimate | None) -> SegmentFit:

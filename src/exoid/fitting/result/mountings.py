@@ -7,27 +7,13 @@ from exoid.fitting.model.systematics import OF_THE_GYRO, OF_THE_MASS, OF_THE_RES
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.estimates.owned import FIELDS, MOUNTING, in_no_unit
+from exoid.fitting.result.estimates.torque_zero import off_by
 from exoid.fitting.result.fit_result import MountingFit
 from exoid.fitting.result.limiting_systematics import WORDS
 from exoid.fitting.result.remarks.added_mass_remarks import of_added_mass
-from exoid.fitting.result.remarks.zero.torque_zero import off_by
 from exoid.fitting.solve.problem import Problem
 
-MOUNTING = {  # name: symbol, title, unit
-    "added_mass_distance": ("r", "distance of the added mass from the knee", "m"),
-    "added_mass": ("m_a", "added mass", "kg"),
-    "added_mass_gyration": ("k", "radius of gyration of the added mass about its centre", "m"),
-    "zero": ("zero", "what the encoder shows with the knee extended", "rad"),
-    "tilt": ("tilt", "tilt of the thigh beyond the declared angle", "rad"),
-    "gyro_scale": ("scale", "gyro scale, less 1", "1"),
-    "gyro_bias": ("bias", "gyro bias", "rad/s"),
-    "clock": ("clock", "true seconds in a recorded one, less 1", "1"),
-    "torque_zero": ("tau_0", "what the torque sensor shows where no torque acts", "N m"),
-    "torque_gain": ("gain", "torque that is shown over the one that acts, less 1", "1"),
-}
-FIELDS = dict(zip(("log_distance", "log_added", "extent"), list(MOUNTING)[:3], strict=True)) | {
-    name: name for name in OWNED[3:]
-}  # of a Mounting: as it is called outside
 STEP = 1e-6  # of a coordinate, for the slope of what is told
 BEYOND = 8.0  # standard deviations of what is declared, from which on nobody believes it
 LIKE_REST = (
@@ -47,9 +33,7 @@ def estimate_mountings(basis: Basis, moved: np.ndarray) -> list[MountingFit]:
     laid = layout(point)
 
     def estimate(field: str, entry: int) -> Estimate | None:
-        if not problem.estimates(field, entry) or (
-            field == "torque_zero" and not problem.gain_known  # it is in no unit
-        ):
+        if not problem.estimates(field, entry) or in_no_unit(problem, field):
             return None
         at = int(getattr(laid.places.mounting, field)[entry])
         gradient = laid.units * (np.arange(laid.size) == at)
@@ -113,9 +97,9 @@ def beyond_belief(problem: Problem, ended: SearchResult) -> str | None:
             if away > furthest:
                 furthest = away
                 size = (float(each[entry]) for each in (values, deviations))
-                if field == "torque_zero" and problem.gain_known:
+                if field == "torque_zero" and not in_no_unit(problem, field):
                     size = (outside(problem, field, entry, each) for each in size)
-                unit = "1" if field == "torque_zero" and not problem.gain_known else None
+                unit = "1" if in_no_unit(problem, field) else None
                 why = off(field, *size, unit=unit) + made_up(field, let_go=let_go, misses=misses)
                 if field in OF_THE_MASS:
                     why = of_added_mass(problem, ended, field, entry)

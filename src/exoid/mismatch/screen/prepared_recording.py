@@ -117,7 +117,7 @@ class PreparedRecording:
 
     @cached_property
     def like(self) -> Coordinates:
-        from exoid.fitting.multistart.starts import usual_mounting
+        from exoid.fitting.multistart.beginning.starts import usual_mounting
 
         count = len(self.problem.movements)
         rows = [np.zeros(count)] * 3

@@ -10,7 +10,7 @@ from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.estimates.found import mean_of
 from exoid.fitting.result.estimates.parameters import expectation, within
 from exoid.fitting.result.estimates.scale import SCALE_FREE, UNTOLD, goes_with_scale
-from exoid.fitting.result.remarks.zero.torque_zero import off_by
+from exoid.fitting.result.estimates.torque_zero import off_by
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.term import name_of
 

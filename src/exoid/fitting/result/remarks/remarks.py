@@ -5,11 +5,7 @@ import numpy as np
 from exoid.fitting.data.conditioning_chain import SteadyKalman
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.multistart.search_result import FEASIBLE, SearchResult, scale_told
-from exoid.fitting.result.remarks.gyro_remarks import (
-    how_late,
-    of_late_gyro,
-    of_unused_gyro,
-)
+from exoid.fitting.result.remarks.gyro_remarks import how_late, of_late_gyro, of_unused_gyro
 from exoid.fitting.result.remarks.limit_remarks import of_bounds
 from exoid.fitting.result.remarks.noise_remarks import noise_remarks
 from exoid.fitting.result.remarks.residual_remarks import of_kinds, of_residual

@@ -14,12 +14,7 @@ import numpy as np
 
 from exoid.fitting.misfit.neighbourhood import prior_information, pull_of_belief
 from exoid.fitting.misfit.uncertainty import decomposed, inverse_times
-from exoid.fitting.model.coordinates import (
-    Coordinates,
-    flattened,
-    layout,
-    unflattened,
-)
+from exoid.fitting.model.coordinates import Coordinates, flattened, layout, unflattened
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.remarks.zero.leaning import BENT, LEANING, Leaning
 from exoid.fitting.solve.ask import grams_at

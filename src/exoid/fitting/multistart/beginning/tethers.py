@@ -14,6 +14,7 @@ QUICKER = 2.0  # times the pace of a recording that is quicker than a leg: its f
 SPRING = 0.5  # greatest frequency of a start's own spring, over its tether's
 STIFF = 0.6  # greatest tether times step: Runge-Kutta carries it with room for the leg
 COARSE, FINE = 10.0, 1e-2  # tolerances, in units of noise
+LOOKING = np.inf  # tolerance of a solver that is not to leave its point
 
 
 def tethers(problem: Problem) -> tuple[float, float]:

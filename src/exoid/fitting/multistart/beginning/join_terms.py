@@ -7,8 +7,8 @@ import jax
 import numpy as np
 
 from exoid.fitting.model.coordinates import Coordinates
-from exoid.fitting.multistart.simpler_problems import as_declared, with_terms_kept
-from exoid.fitting.multistart.tethers import COARSE, FINE, led
+from exoid.fitting.multistart.beginning.simpler_problems import as_declared, with_terms_kept
+from exoid.fitting.multistart.beginning.tethers import COARSE, FINE, led
 from exoid.fitting.solve.ask import advance, finite, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved

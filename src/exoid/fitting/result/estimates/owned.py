@@ -1,0 +1,25 @@
+"""What recordings own beside the leg, as reports name it."""
+
+from exoid.fitting.model.systematics import OWNED
+from exoid.fitting.solve.problem import Problem
+
+MOUNTING = {  # name: symbol, title, unit
+    "added_mass_distance": ("r", "distance of the added mass from the knee", "m"),
+    "added_mass": ("m_a", "added mass", "kg"),
+    "added_mass_gyration": ("k", "radius of gyration of the added mass about its centre", "m"),
+    "zero": ("zero", "what the encoder shows with the knee extended", "rad"),
+    "tilt": ("tilt", "tilt of the thigh beyond the declared angle", "rad"),
+    "gyro_scale": ("scale", "gyro scale, less 1", "1"),
+    "gyro_bias": ("bias", "gyro bias", "rad/s"),
+    "clock": ("clock", "true seconds in a recorded one, less 1", "1"),
+    "torque_zero": ("tau_0", "what the torque sensor shows where no torque acts", "N m"),
+    "torque_gain": ("gain", "torque that is shown over the one that acts, less 1", "1"),
+}
+FIELDS = dict(zip(("log_distance", "log_added", "extent"), list(MOUNTING)[:3], strict=True)) | {
+    name: name for name in OWNED[3:]
+}  # of a Mounting: as it is called outside
+
+
+def in_no_unit(problem: Problem, field: str) -> bool:
+    """Is it the zero of a torque whose gain nobody knows?"""
+    return field == "torque_zero" and not problem.gain_known
