@@ -11,7 +11,7 @@ from exoid.fitting.errors.posterior import sample
 from exoid.fitting.errors.profile import profiles
 from exoid.fitting.estimate import fit
 from exoid.fitting.model.term_parameters import over_inertia, parameters_of, term_of
-from exoid.fitting.multistart import join_terms
+from exoid.fitting.multistart.beginning import join_terms
 from exoid.fitting.solve.ask import advance
 from exoid.physics.leg import LegModel
 from exoid.physics.library import library
