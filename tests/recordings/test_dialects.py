@@ -278,7 +278,7 @@ def test_a_time_of_exoids_name_hides_no_other_name(write, names):
         ("t,hip\n0,1\n1,1\n", {}, 'It holds: t, hip. Name it: columns={"raw_angle_deg": "hip"}'),
         ("t,hip (rad)\n0,1\n1,1\n", {}, 'Name it: columns={"raw_angle_rad": "hip (rad)"}'),
         ("t,hip,toe\n0,1,1\n1,1,1\n", {}, 'Name it: columns={"raw_angle_deg": "..."}'),
-        ("t,gyro_x_dps\n0,1\n1,1\n", {}, "has no angle, and a gyro alone is not enough"),
+        ("t,gyro_x_dps\n0,1\n1,1\n", {}, "has no angle, and a turning rate alone is not enough"),
         ("time_s,raw_angel_deg\n0,1\n1,1\n", {}, "Did you mean raw_angle_deg? Name it: columns="),
         ("t;knee\n0;1\n1;1\n2;left\n3;1\n", {}, "line 4, column knee: 'left' is not a number"),
         ("t;knee\n0;1\n1;1\n2;1;5\n3;1\n", {}, "line 4 has 3 cells, but the samples above have 2"),
@@ -314,6 +314,24 @@ def test_a_gyro_is_read_whatever_the_angle_beside_it_is_called(write, angle):
 def test_a_clock_that_is_called_by_its_unit_is_the_time(write, name, ticks):
     rows = [f"{name},knee_angle_deg", *lines((np.round(TIME * ticks), ANGLE))]
     check(write("\n".join(rows)))
+
+
+@pytest.mark.parametrize(
+    ("names", "ticks"),
+    [("mSec\tTORQUE (N-M)\tPOSITION (DEGREES)", 1e3), ("X [s]\tTorque [Nm]\tPos [deg]", 1)],
+)
+def test_a_vague_name_is_known_by_its_unit(write, names, ticks):
+    """As dynamometers and loggers of muscles write theirs."""
+    rows = lines((TIME * ticks, ANGLE * 0, ANGLE), "\t")
+    segment, _ = check(write("\n".join([names, *rows]), "leg.txt"))
+    assert segment.applied_torque is not None
+
+
+@pytest.mark.parametrize("name", ["X", "X [mm]", "Position [mm]", "POSITION"])
+def test_a_vague_name_of_another_unit_stays_unknown(write, name):
+    path = write("\n".join([f"t,knee angle (deg),{name}", *lines((TIME, ANGLE, TIME))]))
+    _, said = check(path)
+    assert f"not read: {name}." in said
 
 
 def test_milliseconds_beside_a_time_are_not_the_time(write):

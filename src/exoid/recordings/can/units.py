@@ -18,7 +18,7 @@ UNITS: dict[str, dict[str, float]] = {
                 "deg/s2": DEGREE, "deg/s²": DEGREE, "°/s²": DEGREE, "°/s^2": DEGREE},
     "m/s^2": {"m/s^2": 1.0, "m/s2": 1.0, "m/s²": 1.0, "m/s/s": 1.0, "g": GRAVITY,
               "mg": GRAVITY * 1e-3},
-    "N m": {"nm": 1.0, "n.m": 1.0, "n*m": 1.0, "n·m": 1.0, "mnm": 1e-3, "n.mm": 1e-3},
+    "N m": {"nm": 1.0, "n.m": 1.0, "n-m": 1.0, "n*m": 1.0, "n·m": 1.0, "mnm": 1e-3, "n.mm": 1e-3},
 }  # fmt: skip
 
 

@@ -237,9 +237,9 @@ def check_angle(columns: Mapping[str, Cells], sheet: Sheet, taken: set[str]) -> 
     if not any(name in columns for name in ANGLES):
         if gyros([*columns, *sheet.names]):
             raise ValueError(
-                f"has no angle, and a gyro alone is not enough: it does not tell where the leg "
-                f"hangs. It holds: {listed(sheet.names, 40)}. Record the knee's angle beside it; "
-                f"an angle among these is named: {sheet.ask.format('raw_angle_deg')}."
+                f"has no angle, and a turning rate alone is not enough: it does not tell where "
+                f"the leg hangs. It holds: {listed(sheet.names, 40)}. Record the knee's angle "
+                f"beside it; an angle among these is named: {sheet.ask.format('raw_angle_deg')}."
             )
         hints = (near(name, NUMERIC, MISSPELT) for name in sheet.names if name not in NUMERIC)
         raise ValueError(

@@ -9,7 +9,7 @@ from collections import Counter
 
 from exoid.recordings.columns import NUMERIC
 from exoid.recordings.tables.sheet import Column
-from exoid.recordings.tables.units import parted
+from exoid.recordings.tables.units import parted, size_of
 
 SIDE = r"(?:left|right|links|rechts|l|r)"
 # Quantity: what its names look like, the surest first. Names are in lower case, their words apart.
@@ -18,7 +18,7 @@ NAMES: dict[str, tuple[str, ...]] = {
         r"time|times|t|zeit|temps|tiempo|tempo",
         r"time ?stamps?|elapsed time|time elapsed|zeitstempel|(?:sample |sensor |seconds )?time|"
         r"seconds|secs?|uhrzeit|date ?time|messzeit|sampletimefine",
-        r"ms|us|ns|msec|usec|millis|micros|(?:milli|micro)seconds?",  # a logger's clock
+        r"ms|us|ns|m ?sec|usec|millis|micros|(?:milli|micro)seconds?",  # a logger's clock
     ),
     "angle": (
         rf"(?:{SIDE} )?knee ?(?:joint )?(?:flex(?:ion)?|extension|angles?)"
@@ -38,6 +38,8 @@ NAMES: dict[str, tuple[str, ...]] = {
     ),
     "segment": (r"segment|trial|drop|repetition|rep|versuch",),
 }  # fmt: skip
+# Names of many things, which are this one where they are in its unit: X [s], POSITION (DEGREES).
+IN_ITS_UNIT = {"time": ("s", r"x"), "angle": ("rad", r"(?:joint )?pos(?:ition)?")}
 
 
 def words(name: str) -> str:
@@ -72,7 +74,13 @@ def recognised(columns: tuple[Column, ...], quantity: str) -> list[Column]:
         ]
         if found:
             return found
-    return []
+    return in_its_unit(columns, quantity) if quantity in IN_ITS_UNIT else []
+
+
+def in_its_unit(columns: tuple[Column, ...], quantity: str) -> list[Column]:
+    """The columns of a vague name that are this quantity by their unit."""
+    si, pattern = IN_ITS_UNIT[quantity]
+    return [each for each in columns if fits(each.name, pattern) and size_of(each.unit, si)]
 
 
 def main_size(vectors: list[Column]) -> int:
