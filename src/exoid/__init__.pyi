@@ -4,7 +4,7 @@ import typing
 
 import typing_extensions
 
-from .fitting.each_segment import fit_each
+from .fitting.apart.fit_each import fit_each
 from .fitting.errors.posterior import Posterior, sample
 from .fitting.errors.profile import Profile, profiles
 from .fitting.estimate import fit

@@ -6,15 +6,13 @@ import jax
 import numpy as np
 import pytest
 
-from exoid.fitting.each_segment import (
-    fit_each,
-    mean_ratio,
-    of_every_kind,
-    only,
-    settled_parameters,
-)
+from exoid.fitting.apart.alone import only
+from exoid.fitting.apart.averaged import averaged
+from exoid.fitting.apart.fit_each import fit_each
+from exoid.fitting.apart.means import mean_ratio
+from exoid.fitting.apart.said import of_every_kind
+from exoid.fitting.apart.settled import settled_parameters
 from exoid.fitting.estimate import fit
-from exoid.fitting.result.averaged import averaged
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.physics.leg import GRAVITY, LegModel
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction

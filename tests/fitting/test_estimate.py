@@ -10,7 +10,7 @@ from scipy.stats import binom
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.multistart.beginning.starts import draw
-from exoid.fitting.result.estimates.parameters import ON_BOUND
+from exoid.fitting.result.estimates.found import ON_BOUND
 from exoid.physics.anatomy import expected_leg
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate

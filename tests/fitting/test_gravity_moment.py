@@ -5,7 +5,7 @@ from math import hypot
 import numpy as np
 import pytest
 
-from exoid.fitting.each_segment import fit_each
+from exoid.fitting.apart.fit_each import fit_each
 from exoid.fitting.estimate import fit
 from exoid.physics.leg import GRAVITY
 from exoid.recordings.declared.subject import Subject

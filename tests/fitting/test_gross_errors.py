@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.estimate import fit
-from exoid.fitting.multistart.gross_errors import variances
+from exoid.fitting.multistart.rare import variances
 from exoid.recordings.declared.sensors import Sensors
 from legs import ADULT, CHILD, drop, recording
 

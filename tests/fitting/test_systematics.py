@@ -9,13 +9,8 @@ from scipy.integrate import solve_ivp
 from exoid.fitting.data.segment import movement
 from exoid.fitting.estimate import fit
 from exoid.fitting.model.systematics import ALIKE, ONE_SCALE, in_common
-from exoid.fitting.result.limiting_systematics import (
-    ADVICE,
-    chief,
-    limited_anew,
-    limiting,
-    what_to_do,
-)
+from exoid.fitting.result.chief import chief
+from exoid.fitting.result.systematics.limiting import ADVICE, limited_anew, limiting, what_to_do
 from exoid.physics.sensing.clock_rate import ClockRate
 from exoid.recordings.declared.protocol import Protocol
 from exoid.recordings.measured.segment import Segment

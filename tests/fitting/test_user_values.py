@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from exoid.fitting.each_segment import fit_each
+from exoid.fitting.apart.fit_each import fit_each
 from exoid.fitting.errors.profile import profiles
 from exoid.fitting.estimate import fit
 from exoid.fitting.model.user_values import ByHand, from_sidecar

@@ -20,7 +20,7 @@ def prepare() -> None:
 def compute(named, each: bool, options: dict):
     """The fit."""
     if each:
-        from exoid.fitting.each_segment import fit_each as fit
+        from exoid.fitting.apart.fit_each import fit_each as fit
     else:
         from exoid.fitting.estimate import fit
     return soundly(named, lambda: fit(named, **options))

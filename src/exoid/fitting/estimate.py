@@ -31,7 +31,7 @@ from exoid.fitting.multistart.beginning.starts import (
 from exoid.fitting.multistart.search import never, search
 from exoid.fitting.multistart.search_result import Plain, SearchResult
 from exoid.fitting.one_leg import check_one_leg
-from exoid.fitting.result.describe import describe
+from exoid.fitting.result.describing.describe import describe
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks.upwards_remarks import UPWARDS, upwards
 from exoid.fitting.solve.pose import pose

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.result.limiting_systematics import limited_anew
+from exoid.fitting.result.systematics.limiting import limited_anew
 from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect
 from exoid.mismatch.answer.over_inertia import OVER, times_inertia
 from exoid.mismatch.conclude.rivals import advice, suspects, value_of, with_spread

@@ -13,7 +13,7 @@ from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
 from exoid.fitting.result.agreement import astray
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.result.limiting_systematics import limited_anew
+from exoid.fitting.result.systematics.limiting import limited_anew
 from exoid.fitting.result.untold import if_times_right
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter, just_made
 from exoid.mismatch.conclude.asserted import same_cause

@@ -179,7 +179,7 @@ def from_result(result: FitResult) -> PriorKnowledge:
 def as_found(declared: Systematics, problem: Problem) -> Systematics:
     """What is believed of the first recording in the end: the next is made by the same hands.
 
-    Where its clock or its seat is doubted (`gross_errors.py`), that of the next will be, too.
+    Where its clock or its seat is doubted (`rare.py`), that of the next will be, too.
     """
     mounting = problem.belief.prior.mounting
     if mounting is None:

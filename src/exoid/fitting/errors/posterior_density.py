@@ -38,7 +38,7 @@ from exoid.fitting.model.prior import (
 )
 from exoid.fitting.model.systematics import FOOT, SLANT
 from exoid.fitting.model.term_parameters import parameters_of, step_of, with_values
-from exoid.fitting.multistart.gross_errors import may_be_slanted
+from exoid.fitting.multistart.seldom import may_be_slanted
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.solve.ask import around, take
 from exoid.fitting.solve.problem import Problem

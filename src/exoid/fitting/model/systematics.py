@@ -30,7 +30,7 @@ ANYWHERE = 0.5  # of its logarithm
 # Where nothing is declared, one standard deviation:
 ZERO = radians(1.2)  # a sensor aligned along a leg by eye or by goniometer
 ZERO_OF_RIG = radians(5.0)
-TILT = radians(0.2)  # a seat that looks level; one that is not is followed (`gross_errors.py`)
+TILT = radians(0.2)  # a seat that looks level; one that is not is followed (`tilted_seats.py`)
 SLANT = radians(2.5)  # the same of a leg whose centre of mass a foot puts beside its line
 FOOT = 0.5  # of all legs are taken for such
 GYRO_BIAS = radians(5.0)  # rad/s; LSM6DS3: +-10 deg/s at zero rate

@@ -10,15 +10,15 @@ from exoid.fitting.multistart.beginning.led_to_data import led_to_the_data
 from exoid.fitting.multistart.beginning.simpler_problems import without_scale
 from exoid.fitting.multistart.beginning.starts import coordinates
 from exoid.fitting.multistart.beginning.tethers import FINE, tethers, within_reach
-from exoid.fitting.multistart.gross_errors import (
+from exoid.fitting.multistart.doubted_clocks import (
     doubted,
     not_by_anatomy,
     with_doubted_clocks,
-    with_tilted_seats,
 )
 from exoid.fitting.multistart.hold_to_declared import held, without_excuses
 from exoid.fitting.multistart.search_result import Plain, SearchResult
 from exoid.fitting.multistart.settle import settle
+from exoid.fitting.multistart.tilted_seats import with_tilted_seats
 from exoid.fitting.multistart.weight_by_kind import (
     as_weighed,
     by_themselves,
@@ -52,7 +52,7 @@ def search(
     Starts are led to the measured motion, then run free; where the first is `near` the end, it does
     at once, and the others are other masses and inertias at its ratios. The best free fit meets
     prior and limits. Also the problem, its priors wider where a seat or a clock is unusual
-    (`gross_errors.py`).
+    (`rare.py`).
 
     Who only asks whether noise is all that is left has an answer that is `plain` by what the free
     fits miss: held closer to anything, they miss more. The best of them then stays as it ended.

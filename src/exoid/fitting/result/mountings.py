@@ -5,12 +5,12 @@ import numpy as np
 from exoid.fitting.model.coordinates import Coordinates, layout, quantities
 from exoid.fitting.model.systematics import OF_THE_GYRO, OF_THE_MASS, OF_THE_REST, OWNED, SOMEWHERE
 from exoid.fitting.multistart.search_result import SearchResult
+from exoid.fitting.result.chief import WORDS
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.estimates.owned import FIELDS, MOUNTING, in_no_unit
 from exoid.fitting.result.estimates.torque_zero import off_by
 from exoid.fitting.result.fit_result import MountingFit
-from exoid.fitting.result.limiting_systematics import WORDS
 from exoid.fitting.result.remarks.added_mass_remarks import of_added_mass
 from exoid.fitting.solve.problem import Problem
 

@@ -9,6 +9,7 @@ from math import sqrt
 
 from exoid.fitting.misfit.uncertainty import HELD
 from exoid.fitting.result.agreement import lost, unbelieved
+from exoid.fitting.result.chief import chief
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.estimates.scale import (
     MISPLACED,
@@ -20,7 +21,6 @@ from exoid.fitting.result.estimates.scale import (
     without_value,
 )
 from exoid.fitting.result.fit_result import FitResult, MountingFit
-from exoid.fitting.result.limiting_systematics import chief
 from exoid.fitting.result.remarks.anatomy_remarks import SWING, bent_explains, unlike_anatomy
 from exoid.fitting.result.remarks.zero.leaning import Leaning
 from exoid.fitting.result.segment_fit import SegmentFit

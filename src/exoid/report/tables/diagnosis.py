@@ -2,9 +2,9 @@
 
 from rich.console import Console
 
+from exoid.fitting.result.chief import chief
 from exoid.fitting.result.estimates.estimate import RIVALS
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.result.limiting_systematics import chief
 from exoid.fitting.result.summary import quantities
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.answer.over_inertia import guessed, parameters_shown

@@ -3,9 +3,9 @@
 from dataclasses import replace
 from math import degrees
 
+from exoid.fitting.result.chief import chief
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.result.limiting_systematics import chief
 from exoid.fitting.result.segment_fit import SegmentFit
 from exoid.fitting.result.summary import quantities
 from exoid.report.tables.table import Column, Table, with_unit

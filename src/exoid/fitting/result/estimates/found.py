@@ -11,6 +11,11 @@ from exoid.fitting.model.user_values import Means
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
 
+ON_BOUND = "at a bound: no error is quoted"
+ON_YOUR_BOUND = "at your bound: no error is quoted"
+FIXED = "fixed by you: ± 0 is no finding, and the errors of the others hold if it is true"
+NARROWED = "follows from a bound, not from the recording: ± holds only there, see --plot for more"
+
 
 @dataclass(frozen=True, eq=False)
 class Found:
@@ -54,3 +59,13 @@ def mean_of(basis: Basis, names: list[str], at_bound: set[str]) -> Found:
     value = float(basis.ended.best.quantities[0, rows].mean())
     gradient = basis.ended.local.quantities[rows].mean(axis=0)
     return Found(value, gradient, basis.information, at_bound.issuperset(names))
+
+
+def why(shares: Shares | None, by_hand: Means | None) -> str | None:
+    """Why an error is none, or small."""
+    if by_hand == "fix":
+        return FIXED
+    if shares == HELD:
+        return ON_YOUR_BOUND if by_hand == "bound" else ON_BOUND
+    # An error may be small only because a bound holds another quantity.
+    return NARROWED if shares is not None and shares.source == "bound" else None

@@ -4,17 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.fitting.misfit.uncertainty import HELD, Shares
 from exoid.fitting.model.belief import NAMES, Belief
-from exoid.fitting.model.user_values import DECLARED, Means
+from exoid.fitting.model.user_values import DECLARED
 from exoid.fitting.result.estimates.estimate import Estimate
-from exoid.fitting.result.estimates.found import Found
+from exoid.fitting.result.estimates.found import Found, why
 from exoid.physics.parameter import Declaration
-
-ON_BOUND = "at a bound: no error is quoted"
-ON_YOUR_BOUND = "at your bound: no error is quoted"
-FIXED = "fixed by you: ± 0 is no finding, and the errors of the others hold if it is true"
-NARROWED = "follows from a bound, not from the recording: ± holds only there, see --plot for more"
 
 
 def parameter_estimate(name: str, belief: Belief, found: Found) -> Estimate:
@@ -53,13 +47,3 @@ def expectation(belief: Belief, name: str) -> tuple[float | None, float | None]:
         return None, None
     known = deviation is not None and weight > 0
     return value, deviation / np.sqrt(weight) if known else None
-
-
-def why(shares: Shares | None, by_hand: Means | None) -> str | None:
-    """Why an error is none, or small."""
-    if by_hand == "fix":
-        return FIXED
-    if shares == HELD:
-        return ON_YOUR_BOUND if by_hand == "bound" else ON_BOUND
-    # An error may be small only because a bound holds another quantity.
-    return NARROWED if shares is not None and shares.source == "bound" else None

@@ -5,8 +5,7 @@ from dataclasses import replace
 from exoid.fitting.misfit.uncertainty import HELD
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
-from exoid.fitting.result.estimates.found import Found, mean_of
-from exoid.fitting.result.estimates.parameters import FIXED, ON_BOUND, why
+from exoid.fitting.result.estimates.found import FIXED, ON_BOUND, Found, mean_of, why
 from exoid.fitting.result.estimates.scale import UNTOLD
 from exoid.fitting.result.remarks.limit_remarks import REACH
 from exoid.fitting.result.remarks.upwards_remarks import NO_RIG, upside_down

@@ -5,8 +5,7 @@ import numpy as np
 from exoid.fitting.misfit.uncertainty import HELD
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
-from exoid.fitting.result.estimates.found import mean_of
-from exoid.fitting.result.estimates.parameters import ON_BOUND
+from exoid.fitting.result.estimates.found import ON_BOUND, mean_of
 from exoid.fitting.result.estimates.scale import SCALE_FREE
 from exoid.physics.parameter import declarations
 from exoid.physics.torque import CycleTorque

@@ -4,8 +4,8 @@ import re
 from math import degrees
 
 from exoid.fitting.model.term_parameters import RATIO_UNITS, parameters_of, step_of
+from exoid.fitting.result.chief import WORDS, chief
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.result.limiting_systematics import WORDS, chief
 from exoid.mismatch.answer.diagnosis import Diagnosis, NovelTorque, Parameter
 from exoid.mismatch.answer.over_inertia import guessed, parameters_shown
 from exoid.mismatch.sensors.agreement import SensorError

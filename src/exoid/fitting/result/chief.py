@@ -1,0 +1,24 @@
+"""What limits a number most."""
+
+from exoid.fitting.result.estimates.estimate import Estimate
+
+WORTH = 0.3  # of a variance, from which on a systematic is named
+WORDS = {
+    "zero": "the encoder's zero",
+    "tilt": "the seat's tilt, or a foot before the leg's line,",
+    "gyro_scale": "the gyro's scale",
+    "gyro_bias": "the gyro's bias",
+    "clock": "the clock",
+    "torque_zero": "the torque sensor's zero",
+    "torque_gain": "the torque sensor's gain",
+    "added_mass": "the weight of the added mass",
+    "added_mass_distance": "the distance of the added mass",
+    "added_mass_gyration": "the extent of the added mass",
+}
+
+
+def chief(each: Estimate) -> tuple[str, float] | None:
+    """What limits a number most, and its part of the variance; None where nothing stands out."""
+    shares = each.limited_by or {}
+    name = max(shares, key=shares.__getitem__, default=None)
+    return (name, shares[name]) if name is not None and shares[name] >= WORTH else None
