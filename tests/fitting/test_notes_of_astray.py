@@ -9,9 +9,16 @@ import pytest
 from exoid.fitting.data.segment import movement
 from exoid.fitting.estimate import fit
 from exoid.fitting.model.prior_and_limits import believe
-from exoid.fitting.result.refused.notes import of_causes, of_rests, of_sensors, of_swing
+from exoid.fitting.result.refused.notes import (
+    of_causes,
+    of_rests,
+    of_sensors,
+    of_swing,
+    of_the_top,
+)
 from exoid.fitting.result.refused.without_numbers import REFUSED, without_numbers
 from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.measured.segment import Segment
 from fit_cases import BODY, DROP, recorded
 from legs import balance_of, drop, recording
@@ -125,6 +132,19 @@ def test_a_mass_that_was_on_the_leg_in_some_drops_alone_is_asked_for(stiffness):
     expected = np.degrees([balance_of(bare), balance_of(loaded)])
     said = " ".join(of_rests(mixed))
     assert ("Was a mass on the leg in one of them" in said) == (expected[0] - expected[1] > 4)
+
+
+@pytest.mark.parametrize(("turned", "said"), [(4.0, 1), (0.2, 0)])
+def test_one_that_goes_over_the_top_again_and_again_is_told_so(turned, said):
+    """There and back by so many turns."""
+    time = np.arange(0.0, 10.0, 0.01)
+    angle = -np.pi / 2 + turned * np.pi * (1 - np.cos(time))
+    own = moved(
+        Segment(time, raw_angle=angle, applied_torque=np.sin(time)),
+        subject=Subject(kind="rig", spring="none"),
+        protocol=Protocol(kind="measured"),
+    )
+    assert len(of_the_top(own)) == said
 
 
 def test_what_may_be_behind_it_is_what_was_recorded():

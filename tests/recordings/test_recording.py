@@ -164,3 +164,21 @@ def test_metadata_that_cannot_be_true_is_refused(metadata, message):
 )  # fmt: skip
 def test_a_body_that_cannot_be_is_asked_for_a_slip_or_a_unit(key, unit, value, told):
     assert unit_hint(key, unit, value, (0.4, 400.0)) == told
+
+
+@pytest.mark.parametrize(
+    ("degrees", "spring", "taken"),
+    [(1.0, "none", True), (57.3, "none", False), (1.0, "own", False)],
+)
+def test_a_rig_without_a_spring_goes_round_both_ways_and_degrees_are_told(degrees, spring, taken):
+    """There and back by four turns in 6 s, or what looks like it where degrees are called rad."""
+    time = np.arange(0.0, 6.0, 0.01)
+    angle = degrees * 4 * np.pi * np.sin(np.pi * time / 3) - 4.0
+    segment = Segment(time, raw_angle=angle, applied_torque=np.sin(time))
+    rig, own = Subject(kind="rig", spring="none"), Subject(kind="rig")
+    given = (segment,), rig if spring == "none" else own, Protocol(kind="measured")
+    if taken:
+        assert Recording(*given).segments[0].raw_angle is angle
+    else:
+        with pytest.raises(BadSample, match="beyond"):
+            Recording(*given)

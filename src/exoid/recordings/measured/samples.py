@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Samples = NDArray[np.float64]  # one value per sample; jaxtyping here would cost 0.1 s at start
+FASTEST = 35.0  # rad/s, 2000 deg/s: more no gyro of a leg or a rig tells
 ROUNDING = 1e-7  # rad or rad/s, of numbers in a file: no step of a sensor
 
 
@@ -40,12 +41,14 @@ def block_means(samples: Samples, count: int) -> Samples:
     return np.divide(total, number, out=np.full(number.size, np.nan), where=number > 0)
 
 
-def goes_round(angle: Samples) -> bool:
-    """Does an angle [rad] turn on and on, and never comes back by a turn? No swing does, nor one in
-    degrees.
+def goes_round(time: Samples, angle: Samples) -> bool:
+    """Does an angle [rad] go round and round? Then it never comes back by a turn, or its steps are
+    those of something that turns no faster than a gyro can tell. Degrees swing back, and faster.
     """
-    known = angle[~np.isnan(angle)]
-    if not np.isfinite(known).all():
+    known = ~np.isnan(angle)
+    place, at = angle[known], time[known]
+    if not np.isfinite(place).all():
         return False
-    ahead = known * np.sign(known[-1] - known[0])
-    return float((np.maximum.accumulate(ahead) - ahead).max()) < 2 * np.pi
+    ahead = place * np.sign(place[-1] - place[0])
+    onwards = float((np.maximum.accumulate(ahead) - ahead).max()) < 2 * np.pi
+    return onwards or float(np.abs(np.diff(place) / np.diff(at)).max()) < FASTEST

@@ -76,7 +76,7 @@ def check_segment(number: int, segment: Segment, springless: bool) -> None:
         at = int(np.flatnonzero(np.isnan(time))[0])
         raise bad_sample(number, at, f"time_s is missing in {where}, sample {at}. Drop that row.")
     for entry in known(segment):
-        check_channel(number, entry, getattr(segment, entry.name), time.size, springless)
+        check_channel(number, entry, getattr(segment, entry.name), time, springless)
     for name, cells in segment.extra_columns.items():
         if len(cells) != time.size:
             raise ValueError(f"{name} in {where} has {len(cells)} cells, but time_s {time.size}.")
@@ -107,19 +107,23 @@ def why_not_later(time: Samples, at: int) -> str:
     )
 
 
-def check_channel(number: int, entry, samples: Samples | None, size: int, springless: bool) -> None:
+def check_channel(
+    number: int, entry, samples: Samples | None, time: Samples, springless: bool
+) -> None:
     """Refuses samples that cannot be true; without a spring an angle may go round and round."""
     if samples is None:
         return
     where = f"segment {number}"
     name, upper, unit = (entry.metadata[key] for key in ("column", "upper", "unit"))
-    if samples.shape != (size,):
-        raise ValueError(f"{name} in {where} has shape {samples.shape}, but time_s has {size}.")
+    if samples.shape != time.shape:
+        raise ValueError(
+            f"{name} in {where} has shape {samples.shape}, but time_s has {time.size}."
+        )
     if np.isnan(samples).all():
         raise ValueError(f"{name} in {where} holds no number. Leave the column out.")
     bad = np.abs(samples) > upper  # NaN compares false: a missing sample passes
     angle = name in ("angle_rad", "raw_angle_rad")
-    if bad.any() and not (angle and springless and goes_round(samples)):
+    if bad.any() and not (angle and springless and goes_round(time, samples)):
         at = int(np.flatnonzero(bad)[0])
         degrees = name.replace("_rad", "_deg")
         hint = f" Is it in degrees? {called(degrees)}" if degrees != name else ""

@@ -39,6 +39,7 @@ SEAT = (
     "a seat or posture that is not as declared (thigh_angle_deg of [protocol], the knee above the "
     "hip: hold a level to the thigh)"
 )
+OFTEN = 3  # times over the top, each of which multiplies a difference by tens
 LET_GO = (
     "of a leg that was let go: {seat}a hand that stays at it or catches it, a muscle that acts, or "
     "answers its stretch ('exoid fit --with stretch_reflex'), a mass that is not declared, an "
@@ -48,6 +49,11 @@ LET_GO = (
 RIG = (
     "of a rig that was let go: dry friction ('exoid fit --with coulomb_friction'), a stop, a "
     "cable, a spring that is not linear, a hand that stays at it, a mass that is not declared"
+)
+OVER = (
+    "it goes over the top {count} times, where the least difference grows, and no simulation of "
+    "{length:.0f} s follows it. Record it below, or where it turns on and on, or number its pieces "
+    "in a column segment."
 )
 DRIVEN = "of a torque that was measured: its sign, its unit, and that it is not late"
 
@@ -61,6 +67,7 @@ def of_refused(why: str, problem: Problem, ended: SearchResult) -> list[str]:
         *of_sensors(movements),
         *([] if rig else of_swing(problem.belief, movements)),
         *of_rests(movements),
+        *of_the_top(movements),
         of_causes({each.kind for each in movements}, rig=rig, seat=seat),
         *as_taken(problem, ended.disturbance),
     ]
@@ -133,6 +140,16 @@ def of_rests(movements: Sequence[Movement]) -> list[str]:
         "(added_mass_kg, a list with one entry a segment), or did the encoder, its strap or the "
         "seat slip between them? A muscle that holds the leg in one of them looks alike."
     ]
+
+
+def of_the_top(movements: Sequence[Movement]) -> list[str]:
+    """That one goes over the top again and again, where a free simulation is soon elsewhere."""
+    for each in movements:
+        turns = np.floor((each.angle - np.pi / 2) / (2 * np.pi))
+        count = int(np.count_nonzero(np.diff(turns)))
+        if count >= OFTEN:
+            return [OVER.format(count=count, length=float(np.ptp(each.segment.time)))]
+    return []
 
 
 def gyro_agrees(movements: Sequence[Movement]) -> bool:
