@@ -16,6 +16,7 @@ from exoid.fitting.result.refused.notes import (
     of_swing,
     of_the_top,
 )
+from exoid.fitting.result.refused.own_swing import own_swing
 from exoid.fitting.result.refused.without_numbers import REFUSED, without_numbers
 from exoid.recordings.declared.protocol import Protocol
 from exoid.recordings.declared.subject import Subject
@@ -98,6 +99,21 @@ def test_the_rate_of_wrong_times_is_told_where_no_gyro_speaks_against_it(rate):
     (told,) = of_swing(believe(BODY), times)
     found = float(told.partition("a sampling rate about ")[2].partition(" ")[0])
     assert found == pytest.approx(rate, rel=0.1)  # c / J is that of another leg, and J / (m l)
+
+
+def test_times_that_are_far_off_are_told_where_noise_hides_how_smooth_the_swing_is():
+    """A film of 100 frames a second that is said to be of 50, with 0.8 deg of noise."""
+    draw = np.random.default_rng(0)
+    made = [drop(start=at, gyro=False) for at in STARTS]
+    noises = [np.radians(0.8) * draw.standard_normal(each.time.size) for each in made]
+    pairs = zip(made, noises, strict=True)
+    rough = [replace(each, raw_angle=each.raw_angle + noise) for each, noise in pairs]
+    assert of_swing(believe(BODY), moved(*rough)) == []
+    slow = moved(*(replace(each, time=2 * each.time) for each in rough))
+    assert not own_swing(slow).smooth
+    (told,) = of_swing(believe(BODY), slow)
+    found = float(told.partition("a sampling rate about ")[2].partition(" ")[0])
+    assert found == pytest.approx(2.0, rel=0.1)
 
 
 @pytest.mark.parametrize("rate", [0.7, 1.5])

@@ -2,6 +2,8 @@
 lies within its errors of what the leg did.
 """
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
@@ -49,6 +51,22 @@ def test_a_camera_of_25_frames_a_second_tells_every_measure_within_its_error():
             (found[name].value - true) / found[name].standard_error for name, true in truths.items()
         ]
     assert np.sqrt(np.mean(np.square(off))) < 1.5  # of 24, once in 1000
+
+
+def test_markers_that_are_taken_for_each_other_spoil_no_drop():
+    """While it is held, in its fall and in a swing: four frames of 10 deg."""
+    leg = Oscillator()
+    for seed, at in enumerate((0.6, 1.4, 2.3)):
+        clean = drop(leg, step=1 / 25, noise=0.25 * DEGREE, seed=seed)
+        segment, begin = clean.segments[0], int(at * 25)
+        swapped = segment.raw_angle - 10 * DEGREE * (
+            np.arange(segment.time.size) // 4 == begin // 4
+        )
+        seen = replace(clean, segments=(replace(segment, raw_angle=swapped),))
+        found = exoid.measure_drops(seen).drops[0]
+        period = found.measures["period"]
+        assert abs(period.value - leg.period) < 4 * period.standard_error
+        assert "4 samples of the angle, apart from those around, left out" in found.note
 
 
 @pytest.mark.proof

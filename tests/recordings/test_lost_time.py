@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 import exoid
+from exoid.recordings.conventions.left_out.breaks import breaks
 from exoid.recordings.conventions.left_out.lost_time import TIME_LOST, without_lost_time
 from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.measured.samples import Samples
-from exoid.recordings.signal.breaks import breaks
 
 STEP = 0.01
 TIME: Samples = STEP * np.arange(800, dtype=np.float64)

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from exoid.files.counted import counted
 from exoid.pendulum.catalogue import MEASURES
 from exoid.pendulum.drift import read_off
 from exoid.pendulum.drop import Average, Drop, PendulumTest
@@ -15,6 +16,7 @@ from exoid.recordings.landmarks.find_landmarks import find_landmarks
 from exoid.recordings.landmarks.measure import Measure, NotAllowed
 from exoid.recordings.landmarks.track import track_of
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
+from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.drops import law_for
 from exoid.recordings.motion.signal import signal_of
 from exoid.recordings.recording import Recording
@@ -94,12 +96,23 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         read, clock = with_doubted_clock(read, segment, recording.sensors)
         read, times = with_doubted_times(read, cleaned.recording, number)
         push = of_push(found, drifting.measures) if handled else None
-        note = "; ".join(filter(None, (drifting.note, smoothed, clock, times, push))) or None
+        wild = of_wild_samples(recording.segments[number], segment)
+        notes = drifting.note, smoothed, clock, times, push, wild
+        note = "; ".join(filter(None, notes)) or None
         if halt is None:
             check_motion(read)
     except NotAllowed as why:
         return Drop(name, segment, mass, {}, None, str(why))
     return Drop(name, segment, mass, read, found, None, note, halt, drifting.drift)
+
+
+def of_wild_samples(given: Segment, cleaned: Segment) -> str | None:
+    """That samples of the angle are left out, for no leg moves like them; None where none are."""
+    before, after = (int(np.isnan(each.best_angle).sum()) for each in (given, cleaned))
+    count = after - before
+    if not count:
+        return None
+    return f"{counted(count, 'sample')} of the angle, apart from those around, left out"
 
 
 def check_motion(read: dict[str, Measure]) -> None:

@@ -13,7 +13,7 @@ from exoid.recordings.recording import Recording
 from exoid.recordings.signal.both_sensors.clean import filtered
 from exoid.recordings.signal.local_line import interpolated
 from exoid.recordings.signal.noise import noise_of
-from exoid.recordings.signal.spikes import find_spikes
+from exoid.recordings.signal.spikes import wild_samples
 from exoid.recordings.signal.turns import pace
 
 RADIANS = 0.05  # of an oscillation that a mean may span: it falls short of it by 1e-4
@@ -89,7 +89,9 @@ def unbent(time: Samples, mean: Samples) -> Samples:
 
 def without_spikes(name: str, time: Samples, samples: Samples) -> Samples:
     """A spike would hide in its mean."""
-    return np.where(find_spikes(time, samples), np.nan, samples) if name in CHANNELS else samples
+    if name not in CHANNELS:
+        return samples
+    return np.where(wild_samples(name, time, samples), np.nan, samples)
 
 
 def of_less_noise(recording: Recording, count: int) -> Sensors:

@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 Samples = NDArray[np.float64]  # one value per sample; jaxtyping here would cost 0.1 s at start
 FASTEST = 35.0  # rad/s, 2000 deg/s: more no gyro of a leg or a rig tells
+NORMAL = 0.6745  # median of |x| over the standard deviation of a normal distribution
 ROUNDING = 1e-7  # rad or rad/s, of numbers in a file: no step of a sensor
 
 

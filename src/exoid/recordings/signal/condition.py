@@ -9,7 +9,7 @@ from exoid.recordings.declared.protocol import Kind
 from exoid.recordings.measured.samples import Samples
 from exoid.recordings.measured.segment import Segment
 from exoid.recordings.signal.local_line import Signal, interpolated, local_line
-from exoid.recordings.signal.spikes import spikes_of
+from exoid.recordings.signal.spikes import ANGLES, spikes_of
 from exoid.recordings.signal.turns import bends
 
 MOTION_SPEED = np.radians(20.0)  # rad/s, the paper's criterion of significant motion
@@ -19,7 +19,6 @@ BRIDGED = 0.1  # s without a sample: a line over it takes 1 in 25 off a swing th
 LESS = 0.97  # of the swing before, beside a hole: a muscle's cycles, back at one angle, shrink less
 RINGING = 0.1  # of its travel: the least that a swing goes
 ENDS = 3  # samples, of which one may be wild
-ANGLES = ("angle", "raw_angle")
 NEAR = 0.35  # of the range of a movement; a drop ends at 0.5 (no damping) to 1 of it, lower
 
 

@@ -2,11 +2,10 @@
 
 import numpy as np
 
-from exoid.recordings.measured.samples import ROUNDING, Samples, quantile
+from exoid.recordings.measured.samples import NORMAL, ROUNDING, Samples, quantile
 
 FAR = 5.0  # standard deviations of a spike: of clean samples one in 1.7 million
 FEWEST = 30  # samples that tell a noise to 15 %
-NORMAL = 0.6745  # median of |x| over the standard deviation
 NONE = 1e-6  # noise of a signal without any: below every sensor's
 EVEN = 0.05  # of a step: differences that are as close to multiples of it on average are multiples
 

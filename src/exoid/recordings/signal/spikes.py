@@ -1,4 +1,4 @@
-"""Single wild samples: which of a signal are none of its motion."""
+"""Wild samples: which of a signal are none of its motion."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,9 +6,11 @@ from numpy.typing import NDArray
 from exoid.recordings.measured.samples import Samples
 from exoid.recordings.measured.segment import Segment
 from exoid.recordings.remembered import remembered
+from exoid.recordings.signal.excursions import find_excursions
 from exoid.recordings.signal.neighbours import NEIGHBOURS, departures, interpolation_errors, renew
 from exoid.recordings.signal.scatter import FAR, quantum, robust_deviation
 
+ANGLES = ("angle", "raw_angle")
 REACH = 2 * NEIGHBOURS + 1
 NEAR = 3 * REACH  # samples, within which neighbours speak for one
 SMALLEST = 1e-3  # rad or rad/s, of a spike: smaller ones change nothing, and a release has them
@@ -19,8 +21,19 @@ STILL, MOVING = 1.0, 2.0  # range of seven samples, over what a spike departs by
 
 @remembered  # asked when a recording is cleaned, and again when it is searched for its movements
 def spikes_of(segment: Segment, channel: str, least: float) -> NDArray[np.bool_]:
-    """`find_spikes` of a channel by its name."""
-    return find_spikes(segment.time, getattr(segment, channel), least)
+    """`wild_samples` of a channel by its name."""
+    return wild_samples(channel, segment.time, getattr(segment, channel), least)
+
+
+def wild_samples(
+    channel: str, time: Samples, samples: Samples, least: float = 0.0
+) -> NDArray[np.bool_]:
+    """Those that stand alone, and of an angle those that leap aside together and come back."""
+    found = find_spikes(time, samples, least)
+    if channel not in ANGLES:
+        return found
+    rest = np.where(found, np.nan, samples)
+    return found | find_excursions(time, rest, max(least, quantum([samples]) / np.sqrt(12)))
 
 
 def find_spikes(time: Samples, samples: Samples, least: float = 0.0) -> NDArray[np.bool_]:

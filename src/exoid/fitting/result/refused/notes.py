@@ -23,6 +23,7 @@ from exoid.recordings.conventions.angle_convention import ON_ITS_SIDE
 APART = 0.03  # of a scale: a gyro's data sheet allows half as much
 SPRING = 6.0  # 1/s^2, c / J of a relaxed knee (2 to 15)
 SLOW, FAST = 0.75, 2.0  # times what gravity alone makes of this body's leg: no leg is beyond
+FARTHER = 1.5  # times so far must it be where that explains only most of the swing
 ELSEWHERE = np.radians(4.0)  # of one leg whose drops begin at -10 and at -45 deg: 1 deg
 BY_SWING = (
     "by its swing alone, whatever else is taken for granted, this leg is drawn back with "
@@ -114,10 +115,11 @@ def of_swing(belief: Belief, movements: Sequence[Movement]) -> list[str]:
         return []
     if swing.level:
         return [f"a spring alone draws this leg, wherever it is. {ON_ITS_SIDE}"]
-    if belief.expected is None or belief.expected.covariance is None or not swing.smooth:
+    if belief.expected is None or belief.expected.covariance is None or not swing.rough:
         return []
     usual = GRAVITY / pendulum_length(belief.expected).value
-    if SLOW * usual < swing.pull < FAST * usual:
+    farther = 1.0 if swing.smooth else FARTHER
+    if SLOW / farther < swing.pull / usual < FAST * farther:
         return []
     times = (
         ""

@@ -16,6 +16,7 @@ from exoid.recordings.conventions.balance import weak_form
 
 LEVEL = 1e-4  # of the squares of the acceleration that a spring leaves: beside gravity it is 5e-4
 SMOOTH = 3e-3  # the same of all three: noise of an encoder, and a hand that was slow to let go
+ROUGH = 0.1  # the same of what tells at least how fast it is
 ALONE = 1e-3  # the same of a single drop
 FEWEST = 12  # windows
 PENDULUM = [1, 2, 3]  # columns: gravity, from wherever it comes, and damping
@@ -29,6 +30,7 @@ class OwnSwing:
 
     pull: float  # 1/s^2, by which it is drawn back: of Eq. 9 about (m l g + c) / J
     smooth: bool  # do gravity, a spring and damping explain all of it?
+    rough: bool  # do they explain most of it?
     level: bool  # does a spring alone, so that gravity does not turn the leg?
 
 
@@ -39,7 +41,9 @@ def own_swing(movements: Sequence[Movement]) -> OwnSwing | None:
     if found.shape[0] < FEWEST:
         return None
     (_, (a, b, _)), (spring, _), (both, _) = (left_by(found, of) for of in (PENDULUM, SPRING, BOTH))
-    return OwnSwing(float(np.hypot(a, b)), smooth=both < SMOOTH, level=spring < LEVEL)
+    return OwnSwing(
+        float(np.hypot(a, b)), smooth=both < SMOOTH, rough=both < ROUGH, level=spring < LEVEL
+    )
 
 
 def rests(movements: Sequence[Movement]) -> dict[str, float]:

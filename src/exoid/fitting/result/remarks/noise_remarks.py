@@ -80,12 +80,12 @@ def of_play(play: Play) -> str:
 
 
 def of_channel(noise: Noise, channel: str, unit: str) -> list[str]:
-    """Spikes, tones, smoothing, tails, and a declaration that the samples contradict."""
+    """Wild samples, tones, smoothing, tails, and a declaration that the samples contradict."""
     said = []
     if noise.spikes:
         said.append(
             f"{noise.spikes} of {noise.samples + noise.spikes} samples of the {channel} stand "
-            "alone and were left out (noise throws one in half a million as far)."
+            "apart from those around and were left out (noise throws one in half a million as far)."
         )
     if noise.tone is not None:
         said.append(

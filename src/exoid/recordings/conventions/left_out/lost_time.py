@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.files.text_file import Notes
+from exoid.recordings.conventions.left_out.breaks import breaks
 from exoid.recordings.measured.samples import Samples
 from exoid.recordings.measured.segment import Segment
 from exoid.recordings.recording import Recording
-from exoid.recordings.signal.breaks import breaks
 from exoid.recordings.signal.condition import cut
 from exoid.recordings.signal.local_line import interpolated
 
