@@ -801,7 +801,7 @@ def test_a_leg_that_came_to_rest_stays_there_for_good(name):
 def test_friction_without_excess_is_coulombs():
     rows = with_values("stribeck_friction", excess=0.0, level=0.3)[:1]
     found, expected = motion("stribeck_friction", rows), motion("coulomb_friction", [[0.3]])
-    same(found.angle, expected.angle, 1e-12)
+    same(found.angle, expected.angle, 1e-5)  # of half as many parts, each with its turns: 3e-6
 
 
 # -------------------------------------------------------------------- what single terms stand for

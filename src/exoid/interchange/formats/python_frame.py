@@ -57,28 +57,36 @@ def shown(time, angle, rate, memory, push):
     {shown}
 
 
-def slowed(time, state, size):
-    """The state after `size` s of dry friction, which ends a movement but never turns it round."""
-    level = friction(time, state[0], state[1], state[2:]) / INERTIA
-    rate = sign(state[1]) * max(abs(state[1]) - size * level, 0.0)
-    return np.array([state[0], rate, *state[2:]])
-
-
-def sticks(time, state, push):
-    """Does it stand still, with more friction than what pulls at it?"""
-    level = friction(time, state[0], state[1], state[2:])
+def way(time, state, push):
+    """Is it free to move, 1 or 0, and which way does it go? At rest the other than it is pulled."""
     pulled = acceleration(time, state[0], state[1], state[2:], push)
-    return state[1] == 0.0 and abs(pulled) * INERTIA <= level and level > 0.0
+    level = friction(time, state[0], state[1], state[2:])
+    stuck = state[1] == 0.0 and abs(pulled) * INERTIA <= level and level > 0.0
+    return (0.0 if stuck else 1.0), (sign(state[1]) if state[1] != 0.0 else -sign(pulled))
+
+
+def turned(begin, end, sense, rubbed, size):
+    """The end of a step of a leg that comes to rest within: friction acts the other way then."""
+    ahead = sense * begin[1]
+    slowing = (ahead - sense * end[1]) / size
+    if ahead >= size * slowing:
+        return end
+    later, back = size - ahead / slowing, max(slowing - rubbed, 0.0)
+    more = sense * (slowing - back)
+    return np.array([end[0] + more * later**2 / 2, end[1] + more * later, *end[2:]])
 
 
 def step(time, size, state, begin, middle, end):
-    """One step of Runge-Kutta of order four, between two half steps of dry friction."""
-    state = slowed(time, state, size / 2)
-    free = 0.0 if sticks(time, state, begin) else 1.0
+    """One step of Runge-Kutta of order four, within which dry friction turns over with the leg."""
+    start = state
+    free, sense = way(time, state, begin)
+
+    def level(at, state):
+        return friction(at, state[0], state[1], state[2:]) / INERTIA
 
     def slope(at, state, push):
         angle, rate, memory = state[0], state[1], state[2:]
-        pulled = acceleration(at, angle, rate, memory, push)
+        pulled = acceleration(at, angle, rate, memory, push) - sense * level(at, state)
         changes = memory_rate(at, angle, rate, memory, push)
         return np.array([free * rate, free * pulled, *changes])
 
@@ -87,7 +95,9 @@ def step(time, size, state, begin, middle, end):
     third = slope(time + size / 2, state + size / 2 * second, middle)
     fourth = slope(time + size, state + size * third, end)
     state = state + size * (first + 2 * second + 2 * third + fourth) / 6
-    state = slowed(time + size, state, size / 2)
+    rubbed = level(time, start) + level(time + size, state)
+    if rubbed > 0.0:
+        state = turned(start, state, sense, rubbed, size)
     return np.array([*state[:2], *memory_within(time + size, state[0], state[1], state[2:])])
 
 

@@ -13,9 +13,8 @@ from exoid.physics.motion.with_terms import (
     Motion,
     Terms,
     at_rest,
-    friction,
-    missing,
-    moment,
+    pulled,
+    rubbed,
 )
 from exoid.physics.state import LegState
 
@@ -53,8 +52,8 @@ def after_release(
         begin, lasted, _ = fall
         motion = fallen(begin, lasted)
         reached = motion.leg
-        pulled = acceleration(place, terms, motion, time, push)
-        slope = jnp.where(jnp.abs(pulled) > STILL, pulled, STILL)
+        pull = acceleration(place, terms, motion, time, push)
+        slope = jnp.where(jnp.abs(pull) > STILL, pull, STILL)
         faster = (leg.angular_velocity - reached.angular_velocity) / slope
         after = jnp.clip(lasted + faster, 0.0, LONGEST)
         begin = begin + leg.angle - reached.angle - (after - lasted) * reached.angular_velocity
@@ -74,7 +73,6 @@ def acceleration(
     place: SegmentConstants, terms: Terms, motion: Motion, time: Any, push: Any
 ) -> Float[Array, ""]:
     """Of a leg that moves the way it is pulled [rad/s^2]."""
-    now = moment(place, motion.leg, time, push)
-    pulled = now.angular_acceleration + missing(terms, now, motion.memory)
-    slowed = jnp.abs(pulled) - friction(terms, now) / place.inertia
-    return jnp.sign(pulled) * jnp.maximum(slowed, 0.0)
+    pull = pulled(place, terms, motion, time, push)
+    left = jnp.abs(pull) - rubbed(place, terms, motion, time, push)
+    return jnp.sign(pull) * jnp.maximum(left, 0.0)

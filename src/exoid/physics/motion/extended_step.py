@@ -5,21 +5,23 @@ from typing import Any
 
 import jax
 import jax.numpy as jnp
+from jaxtyping import Array, Float
 
 from exoid.physics.moment import SegmentConstants
 from exoid.physics.motion.contact import CLOSE, met, until_contact
+from exoid.physics.motion.dry_friction import sense_of, turned
 from exoid.physics.motion.step import Drive, parabola, rk4
 from exoid.physics.motion.with_terms import (
     Motion,
     Terms,
-    friction,
     gaps,
-    holds_still,
     moment,
+    pulled,
+    rubbed,
     slopes,
+    sticks,
     sticky,
 )
-from exoid.physics.state import LegState
 from exoid.physics.term import strikes
 
 FEWEST = 3  # parts of a step in which something may meet
@@ -39,9 +41,7 @@ def extended_step(
     """The step from `time` on, in so many `parts` or as many as the fastest term asks for, each of
     them `compact` (`rk4`) or not.
 
-    A part in which something meets ends there, and the next is longer. Dry friction acts in half
-    steps before and after the smooth rest (Strang splitting): it can bring the leg to rest, but
-    never turn it round.
+    A part in which something meets ends there, and the next is longer.
     """
     parts = max([parts, *(term.substeps for term in terms)])
     meeting = any(strikes(type(term)) for term in terms)
@@ -98,21 +98,21 @@ def whole_step(
 ) -> Motion:
     place = place.with_step(step)
     pushes = {0.0: drive.begin, 0.5: drive.middle, 1.0: drive.end}
-    dry, free, held = sticky(terms), jnp.ones(()), jnp.zeros((), bool)
+    dry, begin = sticky(terms), motion
+    free, sense = way(place, terms, motion, time, drive.begin) if dry else (jnp.ones(()), None)
 
     def rate(at: Motion, part: Any) -> Motion:
         push = parabola(drive.begin, drive.middle, drive.end, part) if compact else pushes[part]
-        return slopes(place, terms, at, time + part * step, push, free)
+        return slopes(place, terms, at, time + part * step, push, free, sense)
 
-    if dry:
-        begun = slowed(place, terms, motion, time, step / 2, drive.begin)
-        held = holds_still(place, terms, begun, time, drive.begin)
-        free = jnp.where((begun.leg.angular_velocity == 0) & held, 0.0, 1.0)
-        motion = passing(motion, begun, held)
     motion = rk4(rate, motion, step, compact=compact)
     if dry:
-        ended = slowed(place, terms, motion, time + step, step / 2, drive.end)
-        motion = passing(motion, ended, held)
+        levels = (
+            rubbed(place, terms, begin, time, drive.begin),
+            rubbed(place, terms, motion, time + step, drive.end),
+        )
+        leg = turned(begin.leg, motion.leg, sense, levels, step)
+        motion = Motion(leg, motion.memory)
     now = moment(place, motion.leg, time + step, drive.end)
     kept = tuple(
         term.memory_within(now, own) for term, own in zip(terms, motion.memory, strict=True)
@@ -120,21 +120,10 @@ def whole_step(
     return Motion(motion.leg, kept)
 
 
-def slowed(
-    place: SegmentConstants, terms: Terms, motion: Motion, time: Any, step: Any, push: Any
-) -> Motion:
-    """phi' <- sgn(phi') max(0, |phi'| - step F / J)."""
-    leg = motion.leg
-    level = friction(terms, moment(place, leg, time, push)) / place.inertia
-    left = jnp.maximum(jnp.abs(leg.angular_velocity) - step * level, 0.0)
-    return Motion(LegState(leg.angle, jnp.sign(leg.angular_velocity) * left), motion.memory)
-
-
-def passing(before: Motion, after: Motion, held: Any) -> Motion:
-    """`after`, with the slopes of `before` where friction took all of the velocity from a leg that
-    it does not hold: that passes through zero, and forgets nothing of how it moved.
-    """
-    rate, left = before.leg.angular_velocity, after.leg.angular_velocity
-    passes = (left == 0) & ~held
-    through = jnp.where(passes, rate - jax.lax.stop_gradient(rate), left)
-    return Motion(LegState(after.leg.angle, through), after.memory)
+def way(
+    place: SegmentConstants, terms: Terms, motion: Motion, time: Any, push: Any
+) -> tuple[Float[Array, ""], Float[Array, ""]]:
+    """Whether it is free to move, 1 or 0, and which way it goes."""
+    now = place, terms, motion, time, push
+    sense = sense_of(motion.leg.angular_velocity, pulled(*now))
+    return jnp.where(sticks(*now), 0.0, 1.0), sense

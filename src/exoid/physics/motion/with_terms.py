@@ -67,14 +67,24 @@ def missing(terms: Terms, now: Moment, memory: tuple[Array, ...]) -> Float[Array
 
 @jax.jit  # traced once, for all stages of a step
 def slopes(
-    place: SegmentConstants, terms: Terms, at: Motion, time: Any, push: Any, free: Any
+    place: SegmentConstants,
+    terms: Terms,
+    at: Motion,
+    time: Any,
+    push: Any,
+    free: Any,
+    sense: Any = None,
 ) -> Motion:
-    """The time derivatives of leg and terms; `free` is 0 while the leg sticks."""
+    """The time derivatives of leg and terms; `free` is 0 while the leg sticks, and dry friction is
+    against the way of `sense`.
+    """
     now = moment(place, at.leg, time, push)
-    pulled = now.angular_acceleration
+    faster = now.angular_acceleration
     if terms:
-        pulled = pulled + missing(terms, now, at.memory)
-    moving = LegState(at.leg.angular_velocity, pulled)
+        faster = faster + missing(terms, now, at.memory)
+    if sense is not None:
+        faster = faster - sense * friction(terms, now) / place.inertia
+    moving = LegState(at.leg.angular_velocity, faster)
     if sticky(terms):
         moving = jax.tree.map(lambda slope: free * slope, moving)
     changes = tuple(term.memory_rate(now, own) for term, own in zip(terms, at.memory, strict=True))
@@ -97,16 +107,24 @@ def sticky(terms: Terms) -> bool:
 
 def sticks(place: SegmentConstants, terms: Terms, motion: Motion, time: Any, push: Any):
     """Does the leg stand still, with more friction than what pulls at it?"""
-    still = motion.leg.angular_velocity == 0
-    return still & holds_still(place, terms, motion, time, push)
+    level = rubbed(place, terms, motion, time, push)
+    held = (jnp.abs(pulled(place, terms, motion, time, push)) <= level) & (level > 0)
+    return (motion.leg.angular_velocity == 0) & held
 
 
-def holds_still(place: SegmentConstants, terms: Terms, motion: Motion, time: Any, push: Any):
-    """Is there more friction than what pulls at the leg?"""
+def pulled(
+    place: SegmentConstants, terms: Terms, motion: Motion, time: Any, push: Any
+) -> Float[Array, "*batch"]:
+    """What all but dry friction makes of the acceleration [rad/s^2]."""
     now = moment(place, motion.leg, time, push)
-    pulled = now.angular_acceleration + missing(terms, now, motion.memory)
-    level = friction(terms, now)
-    return (jnp.abs(pulled) * now.inertia <= level) & (level > 0)
+    return now.angular_acceleration + missing(terms, now, motion.memory)
+
+
+def rubbed(
+    place: SegmentConstants, terms: Terms, motion: Motion, time: Any, push: Any
+) -> Float[Array, "*batch"]:
+    """What dry friction takes of a velocity [rad/s^2]."""
+    return friction(terms, moment(place, motion.leg, time, push)) / place.inertia
 
 
 def friction(terms: Terms, now: Moment) -> Float[Array, "*batch"]:

@@ -18,7 +18,7 @@ class CoulombFriction(PhysicsTerm):
     )
     isolate = "drops from a large and from a small angle, down to complete rest"
     isolate_driven = "constant speeds, slow and fast, both ways: dry friction takes as much of each"
-    substeps = 4  # it sticks and lets go within a step
+    substeps = 2  # it turns over within a step
 
     level: Parameter = parameter("F_c", "N m", 0.0, 50.0, "friction level", (0.05,))
 

@@ -22,7 +22,7 @@ class LoadFriction(PhysicsTerm):
     )
     isolate = "the same drops without and with a known added mass"
     isolate_driven = "the same movement without and with a known load"
-    substeps = 4  # it sticks and lets go within a step
+    substeps = 2  # it turns over within a step
     mechanical = True
 
     share: Parameter = parameter("mu", "1", 0.0, 2.0, "share of the load", (0.1, 0.4))
