@@ -8,6 +8,7 @@ import pytest
 from exoid.pendulum.drops import measure_drops
 from exoid.recordings.declared.sensors import Sensors
 from exoid.recordings.recording import Recording
+from exoid.recordings.signal.both_sensors.disagreement import disagreement
 from legs import drop, fall, recording
 
 STARTS = -0.35
@@ -23,16 +24,28 @@ def miscounted(rate: float, scale: float = 0.0, **declared) -> Recording:
     return recording(wrong, sensors=Sensors(**declared))
 
 
-@pytest.mark.parametrize("rate", [1.05, 0.93, 1.1])
+@pytest.mark.parametrize("rate", [1.015, 1.05, 0.93, 1.1])
 def test_speeds_by_a_wrong_clock_are_within_their_errors_where_a_gyro_shows_it(rate):
     (found,) = measure_drops(miscounted(rate)).drops
     assert found.note is not None
-    assert f"disagree by {100 * (rate - 1):+.0f} % in scale" in found.note
+    assert f"disagree by {100 * (rate - 1):+.2g} % in scale" in found.note
     speed, fastest = found.measures["peak_flexion_velocity"], np.abs(TRUE[2]).max()
     assert speed.value is not None
     assert speed.standard_error is not None
-    assert abs(abs(speed.value) - fastest) > 0.03 * fastest
+    assert abs(abs(speed.value) - fastest) > 0.5 * abs(rate - 1) * fastest
     assert abs(abs(speed.value) - fastest) < 2.5 * speed.standard_error
+
+
+@pytest.mark.parametrize("late", [0.0, 0.012])
+def test_a_disagreement_in_scale_is_told_within_its_error_of_a_late_gyro_too(late):
+    made = drop(start=STARTS)
+    time, rate = made.time, made.raw_angular_velocity
+    assert rate is not None
+    off = replace(made, raw_angular_velocity=1.004 * np.interp(time - late, time, rate))
+    found = disagreement(recording(off))
+    assert found is not None
+    assert abs(found.value - 0.004) < 3 * found.error
+    assert found.error < (0.0004 if late == 0.0 else 0.005)
 
 
 def test_angles_do_not_go_with_the_clock():
@@ -47,11 +60,11 @@ def test_angles_do_not_go_with_the_clock():
     "seen",
     [
         miscounted(1.0),
-        miscounted(1.0, scale=0.02),  # as gyros are
+        miscounted(1.0, scale=0.001),
         miscounted(1.05, clock_uncertainty=1e-4),
     ],
 )
-def test_nothing_is_said_of_a_usual_gyro_nor_of_a_clock_that_somebody_vouches_for(seen):
+def test_nothing_is_said_of_sensors_that_agree_nor_of_a_clock_that_somebody_vouches_for(seen):
     (found,) = measure_drops(seen).drops
     assert found.note is None
     speed = found.measures["peak_flexion_velocity"]

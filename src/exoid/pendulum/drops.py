@@ -93,7 +93,7 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         found = drifting.landmarks
         halt = of_halt(found) if handled else None
         read, smoothed = as_smoothed(drifting.measures, cleaned.angle, recording)
-        read, clock = with_doubted_clock(read, segment, recording.sensors)
+        read, clock = with_doubted_clock(read, cleaned.recording)
         read, times = with_doubted_times(read, cleaned.recording, number)
         push = of_push(found, drifting.measures) if handled else None
         wild = of_wild_samples(recording.segments[number], segment)

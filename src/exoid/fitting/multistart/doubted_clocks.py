@@ -9,12 +9,11 @@ import numpy as np
 
 from exoid.fitting.misfit.condensed import Neighbourhood
 from exoid.fitting.model.coordinates import TYPICAL
-from exoid.fitting.model.systematics import DISAGREE
 from exoid.fitting.model.term_parameters import parameters_of
 from exoid.fitting.multistart.rare import place_of, places_of, undeclared, variances
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
-from exoid.recordings.signal.both_sensors.sensor_scales import suspected
+from exoid.recordings.signal.both_sensors.sensor_scales import DISAGREE, suspected
 
 BEYOND = 2.0  # times it the gyro's own may be
 

@@ -16,12 +16,12 @@ import jax
 import jax.numpy as jnp
 from jaxtyping import Array, Bool, Float
 
-from exoid.fitting.model.systematics import DISAGREE, FOOT
+from exoid.fitting.model.systematics import FOOT
 from exoid.online.filter.gaussian import Gaussian
 from exoid.online.filter.times import times
 from exoid.online.model.model import Node
 from exoid.online.model.unknowns import AT, Row
-from exoid.recordings.signal.both_sensors.sensor_scales import FARTHEST, SUSPECTED
+from exoid.recordings.signal.both_sensors.sensor_scales import DISAGREE, FARTHEST, SUSPECTED
 
 ROUNDS = 3  # of Gauss-Newton; the last moves nothing
 FAR = 5.0  # standard deviations from the seat, which no level lets it be tilted by

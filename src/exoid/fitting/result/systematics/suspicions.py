@@ -10,11 +10,11 @@ from exoid.fitting.result.fit_result import MountingFit
 from exoid.fitting.result.remarks.gyro_remarks import scale_of
 from exoid.fitting.result.remarks.zero.far_zeros import either
 from exoid.fitting.solve.problem import Problem
+from exoid.recordings.signal.both_sensors.sensor_scales import SCALED
 
 LOOK = "Look what the encoder shows with the knee extended, and give angle_zero_deg."
 HALF = 0.5  # of a scale that a fit takes, that gyro and encoder show of each other
 CLEAR = 4.0  # errors from which on a value is worth a sentence
-SCALED = 2e-3  # relative disagreement of encoder and gyro below which it is none worth a word
 
 
 def suspicions(problem: Problem, mountings: list[MountingFit], ended: SearchResult) -> list[str]:
