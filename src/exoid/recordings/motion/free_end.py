@@ -6,7 +6,7 @@ it. A turning point outside, a swing that is cut short, or a movement out of res
 
 import numpy as np
 
-from exoid.recordings.measured.samples import Samples, quantile
+from exoid.recordings.measured.samples import Samples, quantile, usual_step
 from exoid.recordings.motion.acceleration import (
     Derivatives,
     Law,
@@ -15,10 +15,11 @@ from exoid.recordings.motion.acceleration import (
     gripped_at,
     kept_there,
 )
+from exoid.recordings.motion.brought_to_rest import Course, brought_to_rest
 from exoid.recordings.motion.extent import End
 from exoid.recordings.motion.signal import Signal, Speed
 from exoid.recordings.motion.swings import Swings, cut_short, outside
-from exoid.recordings.motion.thresholds import BRIEF, KEPT, LATE, PUSH
+from exoid.recordings.motion.thresholds import BRIEF, KEPT, LATE, PUSH, UNSEEN
 from exoid.recordings.remembered import remembered
 from exoid.recordings.signal.condition import runs
 
@@ -54,6 +55,9 @@ def hand_in(seen: Swings, moves: Derivatives) -> End | None:
         end = caught(moves, sure, seen.at[place])
         swing = abs(seen.angle[place - 1] - seen.angle[place - 2])
         return before_lift(moves, sure, end) if swing < unseen(moves, sure) else end
+    early = brought_to_rest(course_of(seen, time))
+    if early is not None:
+        return caught(moves, slice(seen.bounds.free, seen.at[early - 1] + 1), seen.at[early])
     if rest is None:
         return None
     if cut_short(seen.angle):
@@ -64,6 +68,16 @@ def hand_in(seen: Swings, moves: Derivatives) -> End | None:
         stop = max(min(left, kept), rest[0])
         return End(stop, "at rest", "the leg came to rest, then was moved", max(left, rest[0]))
     return None
+
+
+def course_of(seen: Swings, time: Samples) -> Course:
+    """From turning point to turning point."""
+    holes = np.flatnonzero(np.diff(time) > UNSEEN)
+    at, bounds = np.array(seen.at), seen.bounds
+    inside = (holes + 1 >= at[:-1, None]) & (holes <= at[1:, None])
+    whole = np.asarray(~inside.any(axis=1))
+    rested, step = bounds.rest is not None, usual_step(time)
+    return Course(np.array(seen.angle), time[at], whole, rested, bounds.least, bounds.noise, step)
 
 
 def left_rest(angle: Samples, first: int, stop: int) -> int:

@@ -35,6 +35,7 @@ class Bounds:
     rest: Rest | None
     least: float  # rad, of a swing
     room: float  # rad, by which one may lie outside the one before
+    noise: float  # rad, of the smoothed angle
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,8 +58,9 @@ class Swings:
 @remembered
 def swung(signal: Signal, speed: Speed, begin: int, free: int) -> Swings:
     """The swings from `begin` on, and the rest that ends them, whose angle is the last."""
-    clear, rest = CLEAR * smoothed(signal, speed.width)[1], rest_after(signal, speed, begin)
-    bounds = Bounds(begin, free, rest, max(TRAVEL, clear), max(BEYOND, clear))
+    noise, rest = smoothed(signal, speed.width)[1], rest_after(signal, speed, begin)
+    clear = CLEAR * noise
+    bounds = Bounds(begin, free, rest, max(TRAVEL, clear), max(BEYOND, clear), noise)
     return swings_of(speed, signal.samples, bounds)
 
 

@@ -59,6 +59,12 @@ SHARE = 0.05  # of that swing
 SHORT = np.radians(5.0)  # rad by which a last swing may be shorter than its forerunners say
 LATE = 0.08  # s before a hand is seen that it may have begun
 KEPT = 3.0  # s at rest that are kept: more tells nothing but the sensor's drift
+# A swing that a leg does not make by itself, of 385 drops with friction, stops, reflexes, feet:
+HURRIED = (2.0, 0.8), (5.0, 0.9)  # times the least swing, from where on one that takes less than so
+# much of what those before took is no leg's: 0.84 and 0.94 of those
+WANTING = 2.2  # times it, by which a leg stands still too soon: 1.7 of those
+UNSEEN = 0.1  # s without a sample, in which a swing may have turned
+HALTED = 0.4  # of a swing, by which it is too short while the leg still moves: 0.16 of those
 PUSH = 0.12  # of the greatest free acceleration, below which a hand is not told from a leg's own
 GRIP, SEIZED = 0.35, 5.0  # of that acceleration, and times what the free parts leave: a hand that
 # stops a leg within 0.15 s does more, and noise does not in 10^4 recordings
