@@ -7,6 +7,7 @@ from multiprocessing import get_context
 import numpy as np
 import pytest
 
+import exoid
 from exoid import online
 from exoid.recordings.declared.subject import Subject
 
@@ -26,6 +27,30 @@ def fitted(three):
             held = online.Sample(samples.time[-1] + 0.01 * (number + 1), -1.0, 0.01 * number)
             now, _ = online.step(now, held)
         return drops, waiting.result(timeout=600)
+
+
+@pytest.fixture(scope="module")
+def by_angle(play):
+    """The drop of a leg whose rate no gyro shows, and the model of such sensors."""
+    samples, leg, _ = play(4)
+    seen = replace(samples, angular_velocity=np.full_like(samples.time, np.nan))
+    model = online.Model(node=online.Node(gyro=False))
+    belief, said = online.replay(online.init(exoid.expected_leg(77.0, 1.80), model), seen, model)
+    return online.drops_of(seen, said), belief, model, leg
+
+
+def test_drops_by_an_angle_alone_have_no_column_of_rates(by_angle):
+    (drop,) = by_angle[0]
+    assert "raw_velocity_rad_s" not in drop.channels()
+
+
+@pytest.mark.slow
+def test_drops_by_an_angle_alone_are_fitted_too(by_angle):
+    drops, belief, model, leg = by_angle
+    found = online.refine(drops, SUBJECT, model)
+    assert online.agreement(belief, found, model).holds
+    one = found.ratios["gravity_over_inertia"]
+    assert abs(one.value - leg.gravity) < 4 * one.standard_error
 
 
 @pytest.mark.slow

@@ -33,14 +33,15 @@ def drops_of(samples: Sample, outlooks: Outlook) -> tuple[Segment, ...]:
 
 
 def segment_of(samples: Sample, begun: float, ended: float) -> Segment:
-    """The samples from the rest before `begun` to `ended` [s]; NaN alone tells nothing."""
+    """The samples from the rest before `begun` to `ended` [s]; no rates where no gyro sent any."""
     time = np.asarray(samples.time)
     fresh = np.diff(time, prepend=-np.inf) > 0
     inside = fresh & (time >= begun - REST) & (time <= ended)
+    rate = np.broadcast_to(samples.angular_velocity, time.shape)[inside]
     return Segment(
         time[inside] - time[inside][0],
         raw_angle=np.asarray(samples.angle)[inside],
-        raw_angular_velocity=np.asarray(samples.angular_velocity)[inside],
+        raw_angular_velocity=rate if np.isfinite(rate).any() else None,
         begins=float(time[inside][0]),
     )
 
@@ -68,6 +69,7 @@ def refine(
             clock_uncertainty=node.clock if node.clock_declared else None,
         ),
     )
-    late = (SensorSkew,) if node.delay_error > 0 else ()
+    turning = any(each.raw_angular_velocity is not None for each in drops)
+    late = (SensorSkew,) if turning and node.delay_error > 0 else ()
     found = fit(recording, terms=(*model.unknowns.terms, *late), multistart=multistart)
     return replace(found, basis=None)
