@@ -103,6 +103,15 @@ def test_where_another_drop_would_hardly_change_a_thing_none_is_asked_for():
     assert words.advice(board_of(Trust.ENOUGH, "inertia=2%")).startswith("let it drop from")
 
 
+def test_where_no_drop_narrows_large_errors_nothing_is_said_to_be_learning():
+    board = board_of(Trust.LEARNING)
+    assert words.trust(board).startswith("learning")
+    board.advice = replace(board.advice, movement=None)
+    assert words.trust(board) == words.AS_FAR
+    board.advice = replace(board.advice, before=0.5)  # of an error that is no longer shown
+    assert words.trust(board).startswith("learning")
+
+
 def test_a_drop_that_moves_as_a_recording_ends_is_told_beside_those_that_ended():
     board = board_of(Trust.ENOUGH)
     assert all_drops(board) == "0 drops so far"

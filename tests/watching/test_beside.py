@@ -209,6 +209,22 @@ def test_a_follower_tells_every_moment_in_order_and_stops_at_the_goal(person, re
     assert len(board.ended) == 1
 
 
+def test_the_drop_whose_last_sample_reaches_the_goal_counts_and_nothing_after_it(
+    person, readings, first, monkeypatch
+):
+    goals = (goal_of("gravity_over_inertia=100", ["gravity_over_inertia"]),)
+    board, seen = Board(goals), []
+    after = replace(first.moment, time=first.moment.time + 0.1)
+    monkeypatch.setattr(Leg, "take", lambda *_: iter([first.moment, first, after]))
+    follower = Follower(lambda: Company(Leg(person, Load())), board, [seen.append])
+    follower.give(readings[:1])
+    follower.give(readings[1:2])
+    follower.end()
+    assert board.reached
+    assert seen == [first.moment]
+    assert len(board.ended) == 1
+
+
 def test_an_estimator_that_fails_is_told_and_holds_nobody_up(person, readings):
     def fails():
         raise ValueError("no such leg")

@@ -59,14 +59,17 @@ class Follower:
                 pass
 
     def follow(self, readings: list[Reading]) -> None:
+        """What these readings tell, up to the end of the drop with which the goals are reached."""
         assert self.company is not None
+        if self.board.reached:
+            return
         for news in self.company.leg.take(readings):
-            if self.board.reached:
-                return
             if isinstance(news, LegDrop):
                 self.ended(news)
             elif isinstance(news, LeftOut):
                 self.left_out(news)
+            elif self.board.reached:
+                return
             else:
                 self.told(news)
 
@@ -88,6 +91,8 @@ class Follower:
         assert self.company is not None
         ended = Ended(drop.mass.weight, drop.moment, drop.until)
         self.board.movements = (*self.board.movements, ended)
+        if self.board.reached:
+            return
         if self.company.coach is not None:
             self.company.coach.ask(drop.beliefs, drop.mass, drop.moment.time)
         if self.company.refinement is not None:

@@ -14,7 +14,8 @@ DOING = ("held, or nobody knows", "at rest", "moving freely", "at rest, or caugh
 LET_GO = "at rest: let it drop"
 STARTING = "the estimator is loading; what moves meanwhile is kept and taken in afterwards"
 BY_RATIOS = "one kind of drop tells ratios; a weighed mass on the shank for some of them tells J"
-WAITING, ENOUGH, UNEXPLAINED = 0, 3, 4  # trust
+AS_FAR = "learned as far as drops tell: the errors are still large, and no drop narrows them"
+WAITING, LEARNING, ENOUGH, UNEXPLAINED = 0, 1, 3, 4  # trust
 AT_REST, MOVING = 1, 2  # phases
 UNSEEN = (
     "no drop was seen: a leg is seen to be let go where it was still for half a second, above "
@@ -71,6 +72,8 @@ def trust(board: "Board") -> str:
         return f"nothing has come for {board.silent:.0f} s"
     if board.moment.trust in OPEN and (left := open_goals(board)):
         return f"not enough yet: {', '.join(map(str, left))} is still open"
+    if int(board.moment.trust) == LEARNING and not narrows(board):
+        return AS_FAR
     return board.moment.trust.words
 
 
@@ -155,6 +158,12 @@ def standing(board: "Board") -> "Advice | None":
     """The advice, as long as the error that it begins from is the one that is shown."""
     found, moment = board.advice, board.moment
     return found if found is not None and (moment is None or found.holds(moment)) else None
+
+
+def narrows(board: "Board") -> bool:
+    """May another drop narrow the errors noticeably, as far as is known?"""
+    found = standing(board)
+    return found is None or found.movement is not None
 
 
 def gain(board: "Board") -> str:
