@@ -16,6 +16,7 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.systematics.limiting import limited_anew
 from exoid.fitting.result.untold import if_times_right
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter, just_made
+from exoid.mismatch.answer.over_inertia import times_inertia
 from exoid.mismatch.conclude.asserted import same_cause
 from exoid.mismatch.conclude.rivals import (
     advice,
@@ -97,7 +98,7 @@ def ended_elsewhere(found: Diagnosis, after: FitResult) -> bool:
 def unclaimed(found: Diagnosis, reasons: list[str]) -> Diagnosis:
     """The same without what was found, which is only what it may be."""
     own, best = just_made(found).found, just_made(found).best
-    each = likely(own)
+    each = likely(own) or [best]
     nothing: dict[str, Any] = {"findings": [], "novel": False, "formula": None}
     suspected = suspects(own, each, best)
     prepared = own.prepared
@@ -108,15 +109,23 @@ def unclaimed(found: Diagnosis, reasons: list[str]) -> Diagnosis:
 
 
 def by_eq9(found: Diagnosis) -> Diagnosis:
-    """The same with the numbers of Eq. 9 alone, and what others would make of them."""
+    """The same with the numbers of Eq. 9 alone, and what others would make of them, all for one
+    inertia: that of the fit where it follows, else that which the search took.
+    """
     work = just_made(found)
     before = with_rivals(found.before, work, work.found.base)
     said = [each.rstrip(".") for each in before.notes if each not in found.before.notes]
     booked, suspected = by_the_fits(found, None)
-    inertia = before.parameters["inertia"].value
-    place = found.location if inertia is None else found.location.with_inertia(inertia)
+    inertia = (before.parameters["inertia"].value if before.follows else None) or found.inertia
+    larger = inertia / found.inertia
+    own: dict[str, Any] = {
+        "inertia": inertia,
+        "location": found.location.with_inertia(inertia),
+        "parameters": [times_inertia(each, larger) for each in found.parameters],
+        "suspected": [as_fitted(one, [], [], larger) for one in suspected],
+    }
     before = limited_anew(before, found.before)
-    same = replace(found, before=before, booked=booked, suspected=suspected, location=place)
+    same = replace(found, before=before, booked=booked, **own)
     if not found.follows and astray(before.segments):
         return lost(same)
     return replace(same, reasons=[*found.reasons, *said])
