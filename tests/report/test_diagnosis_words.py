@@ -422,3 +422,10 @@ def test_the_reason_of_a_gyros_scale_names_the_clock_that_looks_exactly_alike():
     clock = f" Or ({ClockRate.title}): {ClockRate.explanation}"
     assert said == GyroScale.explanation + clock
     assert clock not in sentences(replace(one, equivalent=["gyro_scale"]))["Reason"]
+
+
+def test_a_cause_that_is_in_all_explanations_heads_what_cannot_be_told():
+    one = replace(doubtful(), in_all=["coulomb_friction"])
+    title = CoulombFriction.title
+    assert headline(one).startswith(f"{title[0].upper()}{title[1:]} is in all that explains it;")
+    assert headline(doubtful()) == "Cannot tell from this recording."

@@ -115,6 +115,8 @@ class Diagnosis:
     advice: list[str] = field(default_factory=list)
     twins: list[Parameter] = field(default_factory=list)  # of what would look exactly alike
     but_ends: bool = False  # is nothing missing but where movements begin or end?
+    # names of causes that all have which explain it, where what acts besides is open
+    in_all: list[str] = field(default_factory=list)
     # None where it was read from a file
     workings: Workings | None = field(default=None, metadata={"saved": False})
 

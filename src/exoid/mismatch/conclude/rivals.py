@@ -22,6 +22,7 @@ FELT = 2.0  # standard errors by which a cause that is hardly seen must move a n
 LARGE = 0.1  # share of the variance, from which on a cause is worth a word
 SUSPECTS = 4  # causes of which it is said what they would change
 SUSPECT = 0.5  # share of the mismatch that a cause must explain to be worth a recording
+REFUTED = 10.0  # times the mean square of the best that a cause leaves which it cannot be
 REPEATED = 3  # segments that show what comes back already
 REPEAT = (
     "Repeat the same movement several times: what comes back each time is physics, what does not "
@@ -37,8 +38,12 @@ OVER_INERTIA = {
 
 
 def likely(found: Found) -> list[Optimum]:
-    """The single causes that explain enough of the mismatch to be worth a recording."""
-    return [one for one in found.singles if found.followed(one) > SUSPECT]
+    """The single causes that explain enough of the mismatch to be worth a recording, and leave not
+    so much more than the best that it refutes them.
+    """
+    most = REFUTED * min(one.square for one in (found.base, *found.singles, *found.pairs))
+    each = [one for one in found.singles if found.followed(one) > SUSPECT]
+    return [one for one in each if one.square < most]
 
 
 def suspects(found: Found, each: list[Optimum], best: Optimum) -> list[Suspect]:

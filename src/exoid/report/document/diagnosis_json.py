@@ -30,6 +30,7 @@ def diagnosis_document(
             "selected": found.selected,
             "ranking": found.ranking,
             "equivalent": found.equivalent,
+            "in_all": found.in_all,
             "novel": found.novel,
             "novel_formula": None if found.formula is None else found.formula.words,
             "novel_explained": None if found.formula is None else found.formula.explained,

@@ -31,6 +31,7 @@ from exoid.mismatch.conclude.rivals import (
 )
 from exoid.mismatch.conclude.twins import named_alike
 from exoid.mismatch.conclude.verdict.cannot_tell import too_little
+from exoid.mismatch.conclude.verdict.in_all import in_all
 from exoid.mismatch.conclude.verdict.judge import Case, judge
 from exoid.mismatch.conclude.verdict.past_threshold import with_threshold
 from exoid.mismatch.evidence.location import Location
@@ -102,6 +103,7 @@ def concluded(
         suspected=suspects(found, suspected, best),
         advice=then or advised(found, equal or maybe[:2], verdict, formula),
         but_ends=judged.but_ends,
+        in_all=list(map(name_of, in_all(found, best, judged, repeated, seed))) if named else [],
         workings=Workings(found, best),
     )
 

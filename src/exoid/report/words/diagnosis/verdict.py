@@ -1,6 +1,8 @@
 """The verdict of a diagnosis in one line."""
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.physics.library import library
+from exoid.physics.term import name_of
 from exoid.report.words.diagnosis.asserted import only_sensors, only_usual, usual_errors
 from exoid.report.words.diagnosis.certainty import twins
 from exoid.report.words.diagnosis.remainder import share_left
@@ -16,6 +18,14 @@ def headline(found: Diagnosis) -> str:
         return "Nothing is missing but in the first swing: it is unlike the swings behind it."
     if found.but_ends:
         return "Nothing is missing but where movements begin or end."
+    if found.verdict == "cannot_tell" and found.in_all and found.follows:
+        known = {name_of(term): term.title for term in library()}
+        said = " and ".join(known.get(name, name) for name in found.in_all)
+        verb = "is" if len(found.in_all) == 1 else "are"
+        return (
+            f"{said[0].upper()}{said[1:]} {verb} in all that explains it; what acts besides, this "
+            "recording cannot tell."
+        )
     if found.verdict == "cannot_tell":
         return "Cannot tell from this recording."
     if found.novel:
