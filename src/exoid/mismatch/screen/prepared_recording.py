@@ -33,6 +33,7 @@ from exoid.physics.term import Term, name_of
 
 OUTERMOST = 3.0  # standard deviations of a seat's tilt: one that is farther off is a cause
 SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
+FOLLOWING = 10.0  # mean square over the noise, up to which a candidate needs no tether
 FARTHEST = 5.0  # typical steps of the inertia from the fit: a factor of four
 
 
@@ -88,6 +89,12 @@ class PreparedRecording:
             return np.stack([np.pad(row, (0, size - row.size), mode="edge") for row in rows])
 
         return MeasuredMotion(*map(padded, ("angle", "angular_velocity", "angular_acceleration")))
+
+    def untethered(self, square: float) -> "PreparedRecording":
+        """The same for what comes beside a candidate that leaves so much: where that follows the
+        motion nothing need be led, and a tether would hide what acts slowly, as a spring's rest.
+        """
+        return replace(self, tethers=()) if square < FOLLOWING * self.samples else self
 
     @property
     def driven(self) -> bool:

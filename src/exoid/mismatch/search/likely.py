@@ -1,5 +1,7 @@
 """Which of the candidates that were looked at along the motion are worth a simulation."""
 
+from collections.abc import Sequence
+
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import enough, settle, strikes
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
@@ -24,6 +26,16 @@ def shortlist(ranked: list[Optimum]) -> list[Optimum]:
     return [
         one for one in first if one.square < REACH * first[0].square or size(one) < size(first[0])
     ]
+
+
+def foremost(left: Sequence[float], numbers: Sequence[int], most: int) -> list[int]:
+    """Which of those that would leave so much with so many numbers, the best first, are worth it:
+    `most` of them, and the best of what has fewer numbers than any of these and comes near.
+    """
+    first, others = range(len(left))[:most], range(len(left))[most:]
+    fewest = min((numbers[each] for each in first), default=0)
+    near = [each for each in others if numbers[each] < fewest and left[each] < REACH * left[0]]
+    return [*first, *near[:1]]
 
 
 def likeliest(prepared: PreparedRecording, some: list[Optimum]) -> list[Optimum]:

@@ -4,13 +4,17 @@ from exoid.mismatch.screen.along_motion import linear
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import enough, settle_free, strikes
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
+from exoid.mismatch.search.found import Found
 from exoid.mismatch.search.glance import beside_free, nearest
+from exoid.mismatch.search.likely import foremost
+from exoid.mismatch.search.rank import simpler
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term
 
 PAIRED = 3  # first terms of a pair
 SECONDS = 8  # second ones of each that are looked at beyond the first order
 PLAIN = 3  # the same of causes with one parameter
+SLIDING = 2  # second ones beside what sticks, that run free
 FEW = 2  # parameters of a cause; one with more explains what several simple ones do
 
 
@@ -44,6 +48,27 @@ def pairs(
         ]
         made += nearest(prepared, starts, SECONDS)
     return made
+
+
+def plainer_forms(found: Found, some: list[Optimum]) -> list[Optimum]:
+    """Without those that are but a richer form of another one and hardly better."""
+
+    def needed(one: Optimum) -> bool:
+        forms = [each for each in some if each is not one and simpler(each, one)]
+        return all(found.clear(each, one) for each in forms)
+
+    return [one for one in some if needed(one)]
+
+
+def beside_sticking(
+    prepared: PreparedRecording, usable: list[type[Term]], known: Optimum
+) -> list[Hypothesis]:
+    """What sticks, running free, with those second causes that to first order explain most beside
+    it. A spring's rest angle has one number, and comes behind springs that bend.
+    """
+    seen = beside_free(prepared, usable, known)
+    left, numbers = [one for one, _ in seen], [one.values[-1].size for _, one in seen]
+    return [seen[each][1] for each in foremost(left, numbers, SLIDING)]
 
 
 def plainer_pairs(

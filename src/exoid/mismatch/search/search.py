@@ -23,9 +23,14 @@ from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.challenge import with_hidden
 from exoid.mismatch.search.exchange import exchanged
 from exoid.mismatch.search.found import Found, best_of, lone_and_joint, size
-from exoid.mismatch.search.glance import beside_free
 from exoid.mismatch.search.likely import likeliest, ordered, shortlist
-from exoid.mismatch.search.pairs import pairs, plainer_pairs, plainer_sets
+from exoid.mismatch.search.pairs import (
+    beside_sticking,
+    pairs,
+    plainer_forms,
+    plainer_pairs,
+    plainer_sets,
+)
 from exoid.mismatch.search.race import simulated
 from exoid.mismatch.search.rank import by_evidence, fewest
 from exoid.mismatch.search.several import as_good, several, sticks, with_one_more
@@ -43,7 +48,7 @@ from exoid.physics.term import Term
 
 ROUNDS = 8  # of pinned steps; what is close by then is brought to its end running free
 PAIR_ROUNDS = 6
-STUCK = 2  # causes that stick, and second ones of each, of which pairs run free
+STUCK = 2  # causes that stick, of which pairs run free; pairs of simple causes that do
 FALSE = 0.5  # of the baseline's square, below which another valley makes it a false one
 
 Told = Callable[[str], None]
@@ -77,7 +82,8 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     sensors = [one for one in suspected if len(one.candidate.terms) > 1]
     alone = [one for one in suspected if len(one.candidate.terms) == 1]
     singles = by_evidence([*singles, *alone], base, measure)
-    found = Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
+    after = prepared.untethered(least(base, *singles).square)
+    found = Found(after, base, begin, singles, sensors, ranked, failed, measure)
     return beyond_the_first(found, usable, told)
 
 
@@ -147,8 +153,8 @@ def seconds(
         starts = pairs(prepared, found.pinned, found.singles)
         both = ordered(best_of(settle(prepared, starts, rounds=PAIR_ROUNDS)))
         stuck = [one for one in found.singles if sticks(one.candidate)][:STUCK]
-        free = [beside_free(prepared, usable, one)[:STUCK] for one in stuck]
-        return both, [one for each in free for _, one in each]
+        stuck = plainer_forms(found, stuck)
+        return both, [each for one in stuck for each in beside_sticking(prepared, usable, one)]
     if enough(prepared, best.square):
         plain = settle(prepared, plainer_pairs(prepared, found.pinned, best), rounds=PAIR_ROUNDS)
         near = ordered(as_good(prepared, best, plain))[:STUCK]
