@@ -5,8 +5,6 @@ from found_by_hand import SAMPLES, explaining, found_of
 
 from exoid.mismatch.conclude.rivals import likely
 from exoid.mismatch.conclude.verdict import in_all as asking
-from exoid.mismatch.conclude.verdict.cannot_tell import chance
-from exoid.mismatch.conclude.verdict.judge import Judgement
 from exoid.physics.terms.muscle.stretch_reflex import StretchReflex
 from exoid.physics.terms.tissue.cubic_stiffness import CubicStiffness
 from exoid.physics.terms.tissue.end_range_stiffening import EndRangeStiffening
@@ -41,8 +39,5 @@ def test_a_cause_that_all_have_which_explain_it_is_told(others, again, shared, m
     found = found_of([explaining(1.15 * SAMPLES, StretchReflex), *alone], [best, more])
     found.prepared.common = ()
     monkeypatch.setattr(asking, "inclusion", lambda *_: again)
-    monkeypatch.setattr(asking, "claimed_at_once", lambda *_: 2)
-    judged = Judgement("cannot_tell", chance(0.1, 2), [], [], but_ends=False)
-    assert asking.in_all(found, best, judged, 0.1, 0) == shared
-    luckless = Judgement("cannot_tell", ["by chance"], [], [], but_ends=False)
-    assert asking.in_all(found, best, luckless, 0.1, 0) == []
+    assert asking.in_all(found, best, 0) == shared
+    assert asking.in_all(found, explaining(2.0 * SAMPLES, StretchReflex), 0) == []  # unexplained

@@ -12,7 +12,7 @@ from exoid.fitting.result.remarks.zero.leaning import BENT
 from exoid.fitting.result.remarks.zero.slack_angle import leaning
 from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect, Verdict
 from exoid.mismatch.conclude.numbers import moved, parameters_of
-from exoid.mismatch.evidence.yardstick import APART
+from exoid.mismatch.evidence.yardstick import APART, REFUTED
 from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, Workings, names, words
@@ -22,7 +22,6 @@ FELT = 2.0  # standard errors by which a cause that is hardly seen must move a n
 LARGE = 0.1  # share of the variance, from which on a cause is worth a word
 SUSPECTS = 4  # causes of which it is said what they would change
 SUSPECT = 0.5  # share of the mismatch that a cause must explain to be worth a recording
-REFUTED = 10.0  # times the mean square of the best that a cause leaves which it cannot be
 REPEATED = 3  # segments that show what comes back already
 REPEAT = (
     "Repeat the same movement several times: what comes back each time is physics, what does not "

@@ -10,6 +10,7 @@ APART = 10.0  # evidence by which one candidate is better than another: odds of 
 MATTERS = 0.02  # of the noise's sum of squares: an effect that explains less changes nothing
 KNOWN = 1.1  # mean square over the noise up to which noise may be all that is left
 UNEXPLAINED = 1.6  # mean square over the noise from which on something remains unexplained
+REFUTED = 10.0  # times the mean square of the best that a cause leaves which it cannot be
 FOLLOWED = 0.97  # share of the mismatch that a term must explain to be named, where noise is known
 
 

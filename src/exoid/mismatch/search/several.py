@@ -25,6 +25,7 @@ def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
     and noise is not reached; then with another cause in the place of one; each in its simplest
     form. What explains as much with another cause, or with one less, is found, too.
     """
+    prepared = prepared.untethered(best.square)
     found, measure = [], yardstick(prepared, best)
     for steps in (with_one_more, with_another):
         while not enough(prepared, best.square):

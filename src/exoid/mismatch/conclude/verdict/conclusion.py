@@ -30,9 +30,9 @@ from exoid.mismatch.conclude.rivals import (
     suspects,
 )
 from exoid.mismatch.conclude.twins import named_alike
-from exoid.mismatch.conclude.verdict.cannot_tell import too_little
+from exoid.mismatch.conclude.verdict.cannot_tell import chance, too_little
 from exoid.mismatch.conclude.verdict.in_all import in_all
-from exoid.mismatch.conclude.verdict.judge import Case, judge
+from exoid.mismatch.conclude.verdict.judge import Case, claimed_at_once, judge
 from exoid.mismatch.conclude.verdict.past_threshold import with_threshold
 from exoid.mismatch.evidence.location import Location
 from exoid.mismatch.evidence.proof import proof
@@ -69,6 +69,9 @@ def concluded(
     case = Case(result, found, best, formula, certain, equal, bias is not None, place)
     judged = judge(case, shown, repeated, lucky)
     verdict, then = judged.verdict, judged.then
+    # Is all that speaks against it that other segments would ask for another set?
+    unlike = chance(repeated, claimed_at_once(found, best))
+    beside = bool(unlike) and verdict == "cannot_tell" and judged.reasons == unlike
     maybe = judged.unseen or ([] if then else likely(found))
     novel = verdict == "mismatch" and formula is not None
     biased = [BIAS] if bias is not None and verdict != "cannot_tell" else []
@@ -103,7 +106,7 @@ def concluded(
         suspected=suspects(found, suspected, best),
         advice=then or advised(found, equal or maybe[:2], verdict, formula),
         but_ends=judged.but_ends,
-        in_all=list(map(name_of, in_all(found, best, judged, repeated, seed))) if named else [],
+        in_all=list(map(name_of, in_all(found, best, seed))) if named and beside else [],
         workings=Workings(found, best),
     )
 
