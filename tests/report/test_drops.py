@@ -195,6 +195,16 @@ def test_a_mean_over_first_swings_that_end_otherwise_says_so():
     assert "two kinds of ends" not in printed(alike)
 
 
+def test_a_drop_whose_swings_shrink_to_another_angle_than_those_of_the_others_is_named():
+    """A muscle that lets go later holds it there."""
+    angles = (-1.2, -1.2, -1.05, -1.22)
+    parts = [drop(Oscillator(rest=each), lasting=3.0, noise=NOISE).segments[0] for each in angles]
+    unlike = printed(measure_drops(Recording(tuple(parts), protocol=Protocol(kind="passive"))), 400)
+    assert "Swings shrink to -60 deg in segment 2, and to about -69 deg in the others." in unlike
+    alike = Recording((parts[0], parts[1], parts[3]), protocol=Protocol(kind="passive"))
+    assert "Swings shrink to" not in printed(measure_drops(alike), 400)
+
+
 def test_a_number_stays_on_the_line_of_its_error(four):
     long = replace(four.average["period"], mean=0.5913174, standard_deviation=7.9e-6)
     test = replace(four, average=four.average | {"period": long})

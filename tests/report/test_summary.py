@@ -50,7 +50,8 @@ def test_a_card_says_that_a_hand_ended_a_drop_which_leaves_the_others_good():
     first, *others = case.fit.segments
     cut = replace(first, caught=2.07)
     said = str(agreement(replace(case, fit=replace(case.fit, segments=[cut, *others]))))
-    assert f"Left out: segment {first.name} from where a hand stopped or lifted it." in said
+    behind = "from where a hand or muscle stopped or moved it"
+    assert f"Left out: segment {first.name} {behind}." in said
     assert "but for what was left out" not in said
 
 

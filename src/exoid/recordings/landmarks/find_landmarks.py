@@ -115,7 +115,8 @@ def rested(
         if extent.ended != "caught":
             raise
         raise CutBefore(
-            f"caught: {extent.why}, while it still swung. Leave it alone until it hangs still"
+            f"not free until it rests: {extent.why}, while it still swung. Leave it alone, and "
+            "relaxed, until it hangs still"
         ) from why
 
 

@@ -129,8 +129,9 @@ def check_free(ends: list[float], angle: float, turns: list[Peak]) -> None:
         past, aside = 2 * beyond - abs(last - angle) > 2 * BAND, False
     if min(last, end) < angle < max(last, end) and (past or aside):
         raise NotAllowed(
-            f"caught: the swings end at once after {turns[-1].time:.2f} s, as by a hand. Leave the "
-            "leg alone until it hangs still"
+            f"not free until it rests: the swings end at once after {turns[-1].time:.2f} s, as by "
+            "a hand, or by a muscle that tightens. Leave the leg alone, and relaxed, until it "
+            "hangs still"
         )
 
 

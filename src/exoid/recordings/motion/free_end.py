@@ -141,4 +141,5 @@ def caught(moves: Derivatives, free: slice, limit: int, law: Law | None = None) 
 
 def caught_at(moves: Derivatives, stop: int) -> End:
     since = float(moves.time[stop - 1])
-    return End(stop, "caught", f"stopped or lifted after {since:.2f} s, as by a hand", stop)
+    by = "as by a hand, or by a muscle that tightens or lets go"
+    return End(stop, "caught", f"stopped or moved after {since:.2f} s, {by}", stop)

@@ -15,6 +15,7 @@ from exoid.report.tables.drops import (
     mean,
     of_mixed_ends,
     of_mixed_starts,
+    of_unlike_rests,
     unit_of,
     value,
 )
@@ -72,7 +73,9 @@ def average(read: list[Drop], test: PendulumTest) -> str:
     others = ", ".join(test.left_out)
     without = f", not over those with another added mass (segment {others})" if others else ""
     said = f"The mean and its standard deviation are over {alike}{without}."
-    return " ".join(filter(None, (said, of_mixed_starts(test), of_mixed_ends(test))))
+    return " ".join(
+        filter(None, (said, of_mixed_starts(test), of_mixed_ends(test), of_unlike_rests(test)))
+    )
 
 
 def refused(test: PendulumTest) -> list[str]:

@@ -1,6 +1,7 @@
 """The pendulum test as a person reads it: a table for every drop, what was not read and why."""
 
 from math import degrees
+from statistics import median
 
 from rich.console import Console
 
@@ -10,12 +11,15 @@ from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.text import by_reason, heading, note, say, shown_unit, with_error
 
 LARGE = 99.5  # of an error, beyond which two digits of it leave no unit
-ALIKE = 5.0  # deg, by which drops that were meant to begin alike differ
+ALIKE = 5.0  # deg, by which drops that were meant to begin, or to rest, alike differ
+SURE = 3.0  # standard errors
 MOST = 40  # drops with a table of their own
 EXPECTED, INDEX = "expected_relaxation_index", "relaxation_index"
+START, SWING = "start_angle", "first_flexion_amplitude"
 A_E = (
     "A_e is the amplitude to the angle that swings shrink to: of a leg that was left until it hung "
-    "still it is A0, of one that was caught or cut before it is what A0 would have been."
+    "still it is A0, of one that was stopped, moved or cut before it is what A0 would have been, "
+    "had it swung on so."
 )
 SOURCE = (
     "Names after Rahimi et al., BioMedical Engineering OnLine 19:82, 2020; formulas in "
@@ -95,7 +99,7 @@ def print_average(test: PendulumTest, console: Console) -> None:
     if test.left_out:
         names = ", ".join(test.left_out)
         say(console, f"Not in it, with another added mass: segment {names}.")
-    for said in (of_mixed_starts(test), of_mixed_ends(test)):
+    for said in (of_mixed_starts(test), of_mixed_ends(test), of_unlike_rests(test)):
         if said:
             say(console, said)
 
@@ -134,6 +138,33 @@ def of_mixed_ends(test: PendulumTest) -> str | None:
         f"where the leg first turns back, as by a stretch reflex, in {halted}; at its lowest angle "
         f"in {lowest} (mean relaxation index). Compare drops that end alike."
     )
+
+
+def of_unlike_rests(test: PendulumTest) -> str | None:
+    """Whose swings shrink to another angle than those of most; None where none do."""
+    alike = test.average[EXPECTED].drops if EXPECTED in test.average else ()
+    rests = {drop.name: rest_of(drop) for drop in test.drops if drop.name in alike}
+    usual = float(median(rest for rest, _ in rests.values())) if len(rests) > 2 else 0.0
+    unlike = {
+        name: rest
+        for name, (rest, error) in rests.items()
+        if len(rests) > 2 and abs(rest - usual) > max(ALIKE, SURE * error)
+    }
+    if not unlike:
+        return None
+    where = ", ".join(f"{rest:.0f} deg in segment {name}" for name, rest in unlike.items())
+    return (
+        f"Swings shrink to {where}, and to about {usual:.0f} deg in the others. A relaxed leg "
+        "hangs alike in all: a muscle or a hand held it while it swung; its indices are of that."
+    )
+
+
+def rest_of(drop: Drop) -> tuple[float, float]:
+    """The angle that its swings shrink to, as its expected index has it, and its error [deg]."""
+    index = drop.measures[EXPECTED]
+    start, swing, found = (drop.measures[name].value or 0.0 for name in (START, SWING, EXPECTED))
+    amplitude = degrees(swing) / found
+    return degrees(start) - amplitude, amplitude * (index.standard_error or 0.0) / found
 
 
 def over(drops: list[Drop]) -> str:

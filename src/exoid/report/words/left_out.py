@@ -17,9 +17,10 @@ def left_out(segments: Sequence[SegmentFit]) -> str:
 
 
 def behind_hands(segments: Sequence[SegmentFit]) -> str:
-    """The drops that a hand ended."""
+    """The drops that a hand or a muscle ended."""
     names = [each.name for each in segments if each.caught is not None]
-    return f"segment {', '.join(names)} from where a hand stopped or lifted it" if names else ""
+    behind = f"segment {', '.join(names)} from where a hand or muscle stopped or moved it"
+    return behind if names else ""
 
 
 def first_flexions(segments: Sequence[SegmentFit]) -> str:
