@@ -50,6 +50,7 @@ def begin(prior: Gaussian, node: Node) -> Knowledge:
             astray=np.asarray(0),
             direction=none,
             turns=np.asarray(0),
+            top=np.asarray(np.nan),
             scatter=np.full((2, 2), DECLARED),
         ),
         verdict=Verdict(

@@ -5,6 +5,7 @@ from typing import Any
 
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jaxtyping import Array, Bool
 
 from exoid.online.filter.gaussian import Gaussian
@@ -14,13 +15,17 @@ from exoid.online.filter.whiteness import fails, judged, unwhite
 from exoid.online.model.trust import Phase
 from exoid.online.movement.evidence import EVIDENCE, evidence
 from exoid.online.movement.knowledge import NEVER, Knowledge
-from exoid.online.movement.watch import at_rest, departed
+from exoid.online.movement.watch import SCATTER, at_rest, departed, last_two, least
 
 CAUGHT = 3  # samples in a row that are no leg's
 SHORTEST = 0.4  # s of a movement that counts
 SWINGS = 2  # turns of a leg that a hand or a muscle may not have led: those go there and back
 SUDDEN = 3.5  # standard deviations: what was white until just now fails for a hand, not for a model
 SWUNG = 2  # turns after its end by which a movement was no hand's, but one that nobody explained
+PROVEN = (
+    6  # turns of a leg that the model explained: smaller swings have nothing that those had not
+)
+LIFTED = np.radians(5.0)  # rad up from its last turn: more than a reflex adds to a swing
 
 
 def ended(belief: Knowledge, torn: Bool[Array, ""]) -> Knowledge:
@@ -45,6 +50,7 @@ def closed(belief: Knowledge, gone, failing, cut, torn) -> Knowledge:
     kept = select(failing | cut, older.filters, belief.filters)
     odds = jnp.where(failing | cut, older.evidence, evidence(course))
     known = select(counts, told(kept, odds), belief.before)
+    doubted = (failing | cut & ~torn) & ~(counts & (older.turns >= PROVEN))
     return replace(
         belief,
         filters=with_known(belief.filters, known),
@@ -56,7 +62,7 @@ def closed(belief: Knowledge, gone, failing, cut, torn) -> Knowledge:
             drops=belief.verdict.drops + counts,
             changed=belief.verdict.changed & ~counts,
             unexplained=belief.verdict.unexplained & ~(counts & (belief.verdict.drops > 0)),
-            suspected=jnp.where(failing | cut & ~torn, course.turns + SWUNG, NEVER),
+            suspected=jnp.where(doubted, course.turns + SWUNG, NEVER),
         ),
     )
 
@@ -69,8 +75,23 @@ def told(filters: Gaussian, odds: Any) -> Gaussian:
 
 
 def refuted(belief: Knowledge) -> Knowledge:
-    """A movement that ended astray and swings on was no hand's: the model does not explain it."""
-    return where_so(belief.course.turns >= belief.verdict.suspected, unexplained, belief)
+    """A movement that ended astray and swings on was no hand's: the model does not explain it.
+
+    What was lifted since then tells nothing of that: it is another movement that goes on.
+    """
+    suspected = jnp.where(lifted(belief), NEVER, belief.verdict.suspected)
+    now = replace(belief, verdict=replace(belief.verdict, suspected=suspected))
+    return where_so(belief.course.turns >= suspected, unexplained, now)
+
+
+def lifted(belief: Knowledge) -> Bool[Array, ""]:
+    """Is the leg farther up than where it last turned, as none is that swings on and loses energy,
+    whatever the model lacks? Up is where it was let go.
+    """
+    course = belief.course
+    up = jnp.where(course.turns % 2 == 0, -course.direction, course.direction)
+    least_way = least(LIFTED, SCATTER, belief.sensing.angle)
+    return jnp.min(up * (last_two(belief.recent) - course.top)) > least_way
 
 
 def unexplained(belief: Knowledge) -> Knowledge:

@@ -59,6 +59,7 @@ class Course(eqx.Module):
     astray: Int[Any, ""]  # samples in a row that cannot be the leg's
     direction: Float[Any, ""]  # -1, 0 or 1: the way it moves
     turns: Int[Any, ""]
+    top: Float[Any, ""]  # rad, how near to its hold it last came: where it was let go, or turned
     scatter: Float[Any, "2 2"]  # that of the belief, and of this movement
 
 

@@ -1,4 +1,4 @@
-"""Which way a leg moves, and how often it has turned: by the gyro, by the angles where none is."""
+"""Which way a leg moves, how often it has turned, and where: by the gyro, by angles without one."""
 
 from dataclasses import replace
 from typing import Any
@@ -7,12 +7,13 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float
 
 from exoid.online.model.unknowns import AT
-from exoid.online.movement.knowledge import Knowledge, Recent
+from exoid.online.movement.knowledge import NEVER, Knowledge, Recent
 from exoid.online.movement.stream import window
 
 MOVES = 0.2  # rad/s beyond a gyro's bias: then a leg moves one way
 SPAN = 0.1  # s of angles that tell a rate: no leg turns twice in it
 SURE = 4.0  # deviations of that rate, beyond which it is not the encoder's noise
+SEEN = 0.4  # s within which a turn is seen, and less than a leg takes to the one before
 
 
 def turned(belief: Knowledge, rate: Float[Array, ""]):
@@ -25,7 +26,15 @@ def turned(belief: Knowledge, rate: Float[Array, ""]):
     moves = jnp.where(alone, jnp.maximum(MOVES, SURE * deviation), MOVES)
     way = jnp.where(jnp.abs(speed) > moves, jnp.sign(speed), course.direction)
     turns = course.turns + ((way != course.direction) & (course.direction != 0))
-    return replace(course, direction=way, turns=turns)
+    back = (turns > course.turns) & (turns % 2 == 0) & (belief.verdict.suspected == NEVER)
+    top = jnp.where(back, farthest(belief.recent, -way), course.top)
+    return replace(course, direction=way, turns=turns, top=top)
+
+
+def farthest(recent: Recent, way: Float[Array, ""]) -> Float[Array, ""]:
+    """How far the leg went that way [rad] before it turned."""
+    inside = window(recent, SEEN)
+    return way * jnp.max(jnp.where(inside, way * recent.rows[:, 1], -jnp.inf))
 
 
 def slope(recent: Recent, noise: Any) -> tuple[Float[Array, ""], Float[Array, ""]]:

@@ -15,6 +15,7 @@ from exoid.online.filter.whiteness import nothing_seen
 from exoid.online.model.model import Model
 from exoid.online.model.sample import Sample
 from exoid.online.model.trust import Phase
+from exoid.online.model.unknowns import AT
 from exoid.online.movement.knowledge import NEVER, Course, Knowledge, Recent
 from exoid.online.movement.stream import window
 
@@ -69,21 +70,29 @@ def watch(model: Model, belief: Knowledge) -> Knowledge:
 
 
 def gone(model: Model, belief: Knowledge) -> Knowledge:
-    """The leg has left its hold: the way that it would fall if it was let go, or in a hand."""
+    """The leg has left its hold: the way that it would fall if it was let go, or in a hand.
+
+    How stiff its knee is no table tells: before a drop has told it, it falls whether slack or not.
+    """
     recent = belief.recent
     last = recent.rows[(recent.heard - 1) % recent.rows.shape[0]]
     held = belief.filters.mean[0].at[-2].set(belief.hold).at[-1].set(0.0)
-    fall = view(model.unknowns, held, Sample(*last)).acceleration
-    falls = jnp.sign(last[1] - belief.hold) * fall > PULL
+    slack = jnp.where(belief.verdict.drops > 0, held, held.at[AT["stiffness"]].set(0.0))
+    falls = [view(model.unknowns, row, Sample(*last)).acceleration for row in (held, slack)]
+    away = (jnp.sign(last[1] - belief.hold) * jnp.stack(falls) > PULL).all()
     phase = jnp.full_like(belief.phase, int(Phase.HELD))
-    return select(falls, released(belief), replace(belief, phase=phase))
+    return select(away, released(belief), replace(belief, phase=phase))
 
 
 def departure(recent: Recent, hold: Float[Array, ""]) -> Float[Array, ""]:
     """How far both of the last two samples are from the hold: one alone may be a spike."""
+    return jnp.min(jnp.abs(last_two(recent) - hold))
+
+
+def last_two(recent: Recent) -> Float[Array, "2"]:
+    """The angles of the last two samples [rad]."""
     rows = recent.rows.shape[0]
-    two = jnp.stack([recent.rows[(recent.heard - back) % rows, 1] for back in (1, 2)])
-    return jnp.min(jnp.abs(two - hold))
+    return jnp.stack([recent.rows[(recent.heard - back) % rows, 1] for back in (1, 2)])
 
 
 def released(belief: Knowledge) -> Knowledge:
@@ -104,6 +113,7 @@ def released(belief: Knowledge) -> Knowledge:
         astray=jnp.zeros_like(belief.course.astray),
         direction=jnp.zeros(()),
         turns=jnp.zeros_like(belief.course.turns),
+        top=belief.hold,
         scatter=belief.scatter,
     )
     first = jax.tree.map(
