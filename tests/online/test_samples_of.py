@@ -13,6 +13,7 @@ from exoid.recordings.declared.subject import Subject
 from exoid.recordings.measured.segment import Segment
 from exoid.recordings.recording import Recording
 from fit_cases import DROP, LOADED, recorded
+from hands import Device, dropped
 from reflexes import ADULT, thrown
 
 
@@ -47,3 +48,13 @@ def test_an_angle_that_was_smoothed_is_told_from_one_that_was_measured(rate):
         for angle in (seen.raw_angle, smooth)
     ]
     assert list(map(is_smoothed, each)) == [False, True]
+
+
+@pytest.mark.parametrize("rate", [100.0, 300.0, 400.0, 600.0])
+def test_a_drop_is_seen_at_any_rate(rate):
+    recording, _ = dropped(device=Device(rate=rate))
+    model = online.Model(node=online.node_of(recording))
+    _, said = online.replay(
+        online.init(exoid.expected_leg(74.0, 1.78), model), online.samples_of(recording), model
+    )
+    assert said.phase[-1] == online.Phase.MOVING

@@ -1,13 +1,14 @@
 """A recording as the samples of a stream, and the sensors that sent them."""
 
 from dataclasses import replace
+from math import ceil
 
 import numpy as np
 
 from exoid.online.model.model import Node
 from exoid.online.model.sample import Sample
 from exoid.recordings.conventions.thin import of_means
-from exoid.recordings.measured.samples import block_size, usual_step
+from exoid.recordings.measured.samples import usual_step
 from exoid.recordings.measured.segment import Segment
 from exoid.recordings.recording import Recording
 from exoid.recordings.signal.noise import OF_ANGLE, OF_RATE, noise_of
@@ -41,7 +42,7 @@ def samples_of(recording: Recording) -> Sample:
 
 def columns_of(segment: Segment, begin: float) -> list[np.ndarray]:
     """Time, angle, rate and torque, the first at `begin` [s]; NaN where there is no gyro."""
-    together = block_size(usual_step(segment.time), QUICKEST) if segment.time.size > 1 else 1
+    together = ceil(QUICKEST / usual_step(segment.time)) if segment.time.size > 1 else 1
     part = of_means(segment, together)
     missing = np.full(part.time.shape, np.nan)
     rates = (part.raw_angular_velocity, part.angular_velocity, missing)
