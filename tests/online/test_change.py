@@ -2,11 +2,15 @@
 
 from dataclasses import replace
 
+import jax
+import jax.numpy as jnp
 import numpy as np
 import pytest
 
 import exoid
 from exoid import online
+from exoid.online.belief import knowledge_of
+from exoid.online.movement.end import unexplained
 
 LEAST = 0.88  # held: of legs with and without a foot, two root mean square errors hold 92 %
 
@@ -16,7 +20,7 @@ def test_a_leg_that_grows_by_forty_percent_is_found_in_its_first_drop(play, star
     _, said = online.replay(start, samples)
     changed = samples.time[said.trust == online.Trust.CHANGED]
     assert free[2][0] < changed[0] < free[2][0] + 2.0
-    assert said.drops[-1] == 2  # of the new leg
+    assert said.drops[-1] == said.rests[-1] == 2  # of the new leg
     other = leg.heavier(0.4)
     truth = np.array([other.gravity, other.stiffness, other.damping])
     assert (np.abs(said.ratios[-1] - truth) < 4 * said.errors[-1]).all()
@@ -37,11 +41,23 @@ def test_a_leg_that_differs_a_little_from_its_drops_before_is_as_its_last_one_to
     _, said = online.replay(start, samples)
     assert not (said.trust == online.Trust.CHANGED).any()
     assert said.drops[-1] == len(free)
+    counted = np.flatnonzero(np.diff(said.drops) == 1) + 1
+    assert said.rests[counted].tolist() == [1, 2, 1, 2]  # on the last ones alone
     truth = np.array([leg.gravity, leg.stiffness + 0.5, leg.damping])
     for drops in (3, 4):
         at = np.flatnonzero(said.drops == drops)[0]
         assert (np.abs(said.ratios[at] - truth) < 4 * said.errors[at]).all()
     assert said.change[-1] < 0  # the belief foresaw the last one
+
+
+def test_a_drop_that_is_taken_back_leaves_the_numbers_to_those_before_it(start):
+    known = knowledge_of(start, online.Model())
+    alone = replace(known.verdict, drops=np.asarray(3), rests=np.asarray(1))
+    done = np.asarray(int(online.Phase.DONE))
+    course = replace(known.course, rested=np.asarray(2))
+    said = replace(known, verdict=alone, phase=done, course=course)
+    left = unexplained(jax.tree.map(jnp.asarray, said)).verdict
+    assert (int(left.drops), int(left.rests)) == (2, 2)
 
 
 def test_friction_that_the_model_lacks_is_told_and_not_believed(play, start):

@@ -19,7 +19,8 @@ class Outlook:
 
     trust: Int[Any, "*time"]
     phase: Int[Any, "*time"]
-    drops: Int[Any, "*time"]
+    drops: Int[Any, "*time"]  # of this leg that count
+    rests: Int[Any, "*time"]  # the last of them, on which the estimates rest
     ratios: Float[Any, "*time 3"]
     errors: Float[Any, "*time 3"]  # standard
     begun: Float[Any, "*time"]  # s, when the movement began to count, or the last one

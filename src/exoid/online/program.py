@@ -70,7 +70,7 @@ WIDTHS = {"ratios": 3, "errors": 3}  # columns of an outlook; of the others 1
 COUNTED = [np.asarray(count) for count in range(BLOCK + 1)]
 RESULTS = 2  # the belief, and what was said
 NO_TREE = jax.tree.structure(())  # of its arguments, which are bare arrays
-COUNTS = ("trust", "phase", "drops")
+COUNTS = ("trust", "phase", "drops", "rests")
 
 
 def run(

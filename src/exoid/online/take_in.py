@@ -73,6 +73,7 @@ def outlook(model: Model, belief: Knowledge) -> Outlook:
         trust=trust(model.goals, belief, values, (errors, told), contradicted),
         phase=belief.phase,
         drops=belief.verdict.drops,
+        rests=belief.verdict.rests,
         ratios=values,
         errors=errors,
         begun=belief.course.begun,

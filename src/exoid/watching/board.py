@@ -59,12 +59,16 @@ class Board:
     def ended(self) -> list[Ended]:
         """The drops on which the numbers rest: of this leg, and none that was taken back."""
         found: list[Ended] = []
-        for each in self.movements:
-            if isinstance(each, LeftOut):
-                found = [drop for drop in found if drop.moment.begun != each.begun]
-            else:
-                found = [*found[: each.moment.drops - 1], each]
+        for each in self.counted:
+            found = [*found[: each.moment.drops - 1], each]
         return found
+
+    @property
+    def counted(self) -> list[Ended]:
+        """The drops of any leg, but for those that were taken back."""
+        left = {each.begun for each in self.left_out}
+        drops = (each for each in self.movements if isinstance(each, Ended))
+        return [each for each in drops if each.moment.begun not in left]
 
     @property
     def left_out(self) -> list[LeftOut]:

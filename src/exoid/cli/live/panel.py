@@ -6,7 +6,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from exoid.cli.live.saying import words
-from exoid.cli.live.saying.movements import drops, movement
+from exoid.cli.live.saying.movements import changed, drops, movement
 from exoid.cli.terminal.say import say
 from exoid.cli.terminal.screen import NOBODY
 from exoid.files.visible import visible
@@ -62,10 +62,21 @@ class Panel:
             return
         self.drawn = now
         with suppress(*NOBODY):
+            self.say_movements()
             if self.live is None:
                 self.say_news()
             else:
                 self.live.update(drawing(self.board, self.name), refresh=True)
+
+    def say_movements(self) -> None:
+        """Those that have ended since; a panel shows the numbers, and what has changed stays."""
+        movements = self.board.movements
+        for each in movements[self.told :]:
+            if self.live is None:
+                say(f"exoid: {movement(each)}", err=True)
+            if (other := changed(each)) != "":
+                self.tell(other)
+        self.told = len(movements)
 
     def say_news(self) -> None:
         """What has changed since it was said last."""
@@ -77,10 +88,6 @@ class Panel:
             "fit": words.batch(self.board),
             "if slack": words.open_if_slack(self.board),
         }
-        movements = self.board.movements
-        for each in movements[self.told :]:
-            say(f"exoid: {movement(each)}", err=True)
-        self.told = len(movements)
         for key, line in news.items():
             if line and line != self.said.get(key):
                 now = "" if self.board.moment is None else f"{self.board.moment.time:.1f} s, "

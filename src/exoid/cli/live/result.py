@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from exoid.cli.live.saying import leaning, words
+from exoid.cli.live.saying.changes import last_change
 from exoid.cli.live.saying.movements import all_drops, left_out
 from exoid.cli.terminal.say import say
 
@@ -42,7 +43,8 @@ def lines(board: "Board") -> list[str]:
         for value, error in [words.rounded(each.value, each.error)]
     ]
     seconds = "" if board.moment is None else f"{board.moment.time:.1f} s, {all_drops(board)}; "
-    said = [f"{seconds}{words.trust(board)}", *left_out(board), *found]
+    said = [f"{seconds}{words.trust(board)}"]
+    said += [*filter(None, [last_change(board)]), *left_out(board), *found]
     beside = words.unseen, leaning.unlike, leaning.allowance, words.batch, words.if_slack
     said += filter(None, (each(board) for each in beside))
     if (then := words.advice(board)) != "":

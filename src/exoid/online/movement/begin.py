@@ -52,9 +52,11 @@ def begin(prior: Gaussian, node: Node) -> Knowledge:
             turns=np.asarray(0),
             top=np.asarray(np.nan),
             scatter=np.full((2, 2), DECLARED),
+            rested=np.asarray(0),
         ),
         verdict=Verdict(
             drops=np.asarray(0),
+            rests=np.asarray(0),
             changed=np.asarray(False),
             unexplained=np.asarray(False),
             suspected=np.asarray(NEVER),

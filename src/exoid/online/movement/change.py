@@ -45,10 +45,15 @@ def begun_anew(belief: Knowledge) -> Knowledge:
         newer=replace(belief.newer, filters=newer),
         older=replace(belief.older, filters=older),
         before=belief.prior,
-        course=replace(course, likelihood=jnp.stack([course.likelihood[1]] * 2)),
+        course=replace(
+            course,
+            likelihood=jnp.stack([course.likelihood[1]] * 2),
+            rested=jnp.zeros_like(course.rested),
+        ),
         verdict=replace(
             belief.verdict,
             drops=jnp.zeros_like(belief.verdict.drops),
+            rests=jnp.zeros_like(belief.verdict.rests),
             changed=jnp.asarray(True),
         ),
     )

@@ -60,6 +60,7 @@ def closed(belief: Knowledge, gone, failing, cut, torn) -> Knowledge:
         verdict=replace(
             belief.verdict,
             drops=belief.verdict.drops + counts,
+            rests=jnp.where(counts & (odds > EVIDENCE), 0, course.rested) + counts,
             changed=belief.verdict.changed & ~counts,
             unexplained=belief.verdict.unexplained & ~(counts & (belief.verdict.drops > 0)),
             suspected=jnp.where(doubted, course.turns + SWUNG, NEVER),
@@ -105,6 +106,7 @@ def unexplained(belief: Knowledge) -> Knowledge:
         verdict=replace(
             verdict,
             drops=verdict.drops - counted,
+            rests=belief.course.rested,
             unexplained=jnp.asarray(True),
             suspected=jnp.full_like(verdict.suspected, NEVER),
         ),

@@ -61,12 +61,14 @@ class Course(eqx.Module):
     turns: Int[Any, ""]
     top: Float[Any, ""]  # rad, how near to its hold it last came: where it was let go, or turned
     scatter: Float[Any, "2 2"]  # that of the belief, and of this movement
+    rested: Int[Any, ""]  # drops that the numbers rested on before it
 
 
 class Verdict(eqx.Module):
     """What was found of the movements so far."""
 
     drops: Int[Any, ""]  # free movements of this leg that count
+    rests: Int[Any, ""]  # the last of them, on which the numbers rest
     changed: Bool[Any, ""]  # is this another leg than before? Until a drop of it has ended
     unexplained: Bool[Any, ""]  # did the model fail in the last movement?
     suspected: Int[Any, ""]  # turns from which on a movement that ended astray was no hand's

@@ -115,6 +115,7 @@ def released(belief: Knowledge) -> Knowledge:
         turns=jnp.zeros_like(belief.course.turns),
         top=belief.hold,
         scatter=belief.scatter,
+        rested=belief.verdict.rests,
     )
     first = jax.tree.map(
         lambda known, new: jnp.stack([known[0], new]), belief.filters, belief.prior

@@ -44,11 +44,14 @@ class Refinement:
         self.drops: list[LegDrop] = []
         self.process: SecondProcess | None = None
         self.running: tuple[Future, LegDrop, int] | None = None
+        self.begun_with: list[LegDrop] = []  # of the last fit
         self.latest: Refined | None = None
         self.failed: str | None = None
 
     def add(self, drop: LegDrop) -> None:
         """One more drop of the same leg; the first one of another leg begins anew."""
+        if drop.moment.change is not None:
+            self.drops = [each for each in self.drops if each.mass != drop.mass]
         if drop.number <= len(self.drops):
             self.drops = []
         if np.ptp(drop.segment.best_angle[np.isfinite(drop.segment.best_angle)]) >= LEAST:
@@ -63,7 +66,7 @@ class Refinement:
         if self.running is not None and self.running[0].done():
             self.finish(*self.running)
             self.running = None
-        waits = self.drops and (self.latest is None or self.latest.drops != len(self.drops))
+        waits = self.drops and self.begun_with != self.drops
         if self.running is None and waits and self.failed is None:
             self.begin()
 
@@ -72,6 +75,7 @@ class Refinement:
 
         if self.process is None:
             self.process = SecondProcess(prepare)
+        self.begun_with = self.drops
         masses = [each.mass for each in self.drops]
         carried = {}
         if any(each.weight for each in masses):

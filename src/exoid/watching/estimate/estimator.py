@@ -14,7 +14,7 @@ from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.recordings.measured.segment import Segment
 from exoid.watching.estimate.gyro_off import gyro_off
-from exoid.watching.estimate.known import RATIOS, told_of
+from exoid.watching.estimate.known import Changes, ratios_of, told_of
 from exoid.watching.estimate.left_out import STRAYED, LeftOut, Strays
 from exoid.watching.estimate.moment import Moment, Quantity, Unlike
 from exoid.watching.estimate.online import at_begin, init, replay, segment_of
@@ -23,7 +23,6 @@ from exoid.watching.estimate.other_limb import OtherLimb, other_limb, strange_le
 EVERY = 0.1  # s of the stream between two moments
 TOGETHER = 256  # samples that are handed over at once, at most
 KEPT = 600.0  # s of samples: the longest drop
-UNITS = ("1/s^2", "1/s^2", "1/s")  # of the ratios
 ROUNDING = 1e-6  # of a moment's number
 COLUMNS, TORQUE = 6, 3  # columns of samples, and which of them is the torque
 
@@ -60,6 +59,7 @@ class Estimator:
         self.rows: list[Rows] = []  # the last samples
         self.said: list[Outlook] = []  # and what was said after each of them
         self.strays = Strays()
+        self.changes = Changes()
 
     def warm(self) -> None:
         """Have the programs compiled or loaded, and forget what they said."""
@@ -90,8 +90,10 @@ class Estimator:
             self.keep(rows[:part], outlook)
             yield from self.moments(rows[:part], outlook)
             yield from self.left_out(outlook)
+            self.changes.look(outlook, part - 1)
             if changes.size:
                 yield from self.ended(rows[part - 1], outlook, part - 1)
+            self.changes.look(outlook, part)
             rows = rows[part:]
 
     def keep(self, rows: Rows, outlook: Outlook) -> None:
@@ -137,26 +139,27 @@ class Estimator:
         self.mark = float(marks[-1])
 
     def moment(self, row: Row, outlook: Outlook, at: int) -> Moment:
-        values, errors = (each[at].tolist() for each in (outlook.ratios, outlook.errors))
-        each = zip(RATIOS, values, errors, UNITS, strict=True)
-        ratios = tuple(Quantity(*one) for one in each)
+        ratios = ratios_of(outlook, at)
         return Moment(
             time=float(row[0]),
             angle=float(row[1]),
             angular_velocity=float(row[2]),
             phase=Phase(int(outlook.phase[at])),
             trust=Trust(int(outlook.trust[at])),
-            drops=int(outlook.drops[at]),
+            drops=int(outlook.rests[at]),
             ratios=ratios,
             as_loaded=ratios,
             others=self.others,
             begun=float(outlook.begun[at]),
             unlike=self.unlike,
+            change=self.changes.open,
         )
 
     def ended(self, row: Row, outlook: Outlook, at: int) -> Iterator[Drop]:
         """The number of drops has changed: one has ended, or the leg is another one."""
         before, self.drops = self.drops, int(outlook.drops[at])
+        if outlook.phase[at] == Phase.MOVING:
+            self.changes.begun(outlook, at)
         every = np.concatenate(self.rows)
         if self.drops == before + 1 and (found := self.strange(every, outlook, at)) is not None:
             self.becomes(found)
@@ -166,7 +169,8 @@ class Estimator:
             return
         begun, end = float(outlook.begun[at]), float(outlook.ended[at])
         segment = segment_of(Sample(*every.T), begun, end)
-        moment = replace(self.moment(row, outlook, at), others=self.others)
+        change = self.changes.counted(outlook, at)
+        moment = replace(self.moment(row, outlook, at), others=self.others, change=change)
         yield Drop(self.drops, segment, moment)
 
     def strange(self, rows: Rows, outlook: Outlook, at: int) -> OtherLimb | None:

@@ -59,6 +59,7 @@ class Leg:
         self.said = Trust.WAITING  # before the last pause
         self.before = unloading(person.expected, person.subject, list(load.masses))
         self.latest: dict[Mass, Moment] = {}  # of each weight, its last one
+        self.changed: float | None = None  # s, since when it is another leg
         self.solved: tuple[dict[Mass, Told], Bare] | None = None  # what they told, and the bare leg
         self.estimator_of(self.now)
 
@@ -124,7 +125,9 @@ class Leg:
 
     def of_all(self, moment: Moment) -> Moment:
         """What this weight tells at the moment, together with what the others have told."""
-        if self.now in self.latest and moment.drops < self.latest[self.now].drops:
+        change = moment.change
+        if change is not None and change.another and change.since != self.changed:
+            self.changed = change.since
             self.forget_others()
         self.latest[self.now] = moment
         if not self.load.known:

@@ -30,6 +30,18 @@ class Unlike:
 
 
 @dataclass(frozen=True)
+class Change:
+    """From a time [s] on the numbers rest on other drops: so many before told `before` of the leg
+    as it swung.
+    """
+
+    since: float
+    drops: int
+    before: tuple[Quantity, ...]
+    another: bool = False  # by more than a leg differs from drop to drop
+
+
+@dataclass(frozen=True)
 class Moment:
     """Motion, phase and trust, and the quantities, of which none is told that cannot be believed.
 
@@ -42,12 +54,13 @@ class Moment:
     angular_velocity: float  # rad/s
     phase: Phase
     trust: Trust
-    drops: int
+    drops: int  # on which the numbers rest
     ratios: tuple[Quantity, ...]
     as_loaded: tuple[Quantity, ...]
     others: tuple[Quantity, ...] = ()
     begun: float = -inf  # s, when the last free movement began, whether it counted or not
     unlike: Unlike | None = None  # where it moves as no leg of its body does
+    change: Change | None = None  # until the end of the first drop of other numbers
 
     @property
     def believed(self) -> bool:

@@ -54,7 +54,7 @@ def strange_leg(
     if unlike(expected, told.ratios[0].value, 0.0, STRANGE) is None:
         return None
     found = as_any_limb(expected, model, rows, marks, STRANGE)
-    return found if found and found.said.drops[-1] == told.drops else None
+    return found if found and found.said.rests[-1] == told.drops else None
 
 
 def as_any_limb(

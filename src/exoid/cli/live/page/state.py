@@ -3,6 +3,7 @@
 from typing import Any
 
 from exoid.cli.live.saying import words
+from exoid.cli.live.saying.changes import last_change
 from exoid.cli.live.saying.json_lines import document, number
 from exoid.cli.live.saying.movements import drops
 from exoid.files.visible import visible
@@ -27,7 +28,7 @@ def now(board: Board) -> dict[str, Any]:
         "drops": drops(board),
         "weight": words.weight(board),
         "next": raised(visible(words.advice(board))),
-        "fit": "; ".join(filter(None, [visible(words.batch(board)), words.if_slack(board)])),
+        "fit": checks(board),
         "rows": [
             *(row(board, each) for each in words.quantities(board)),
             *(unknown(board, each.name) for each in words.missing_goals(board)),
@@ -35,6 +36,12 @@ def now(board: Board) -> dict[str, Any]:
         "reached": board.reached,
         "ended": board.state in ("ended", "failed"),
     }
+
+
+def checks(board: Board) -> str:
+    """What holds of the numbers: since when they are others, and what a fit says."""
+    fit = "; ".join(filter(None, [visible(words.batch(board)), words.if_slack(board)]))
+    return ". ".join(filter(None, [raised(last_change(board)), fit]))
 
 
 def raised(words: str) -> str:

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from exoid.cli.live.saying.changes import change
 from exoid.cli.live.saying.words import MOVING, stated, title
 
 if TYPE_CHECKING:
@@ -27,6 +28,16 @@ def drop(ended: "Ended") -> str:
     known = "; ".join(f"{title(each.name)} {stated(each)}" for each in moment.quantities.values())
     part = f"{moment.begun:.1f} to {ended.until:.1f} s"
     return f"{head}: {known}" if known else f"{head} counts from {part}; then {moment.trust.words}"
+
+
+def changed(each: "Ended | LeftOut") -> str:
+    """That the numbers are others from this drop on."""
+    from exoid.watching.board import Ended
+
+    if not isinstance(each, Ended):
+        return ""
+    said = change(each.moment, each.moment.drops)
+    return said and f"{each.moment.time:.1f} s, {said}"
 
 
 def left(each: "LeftOut") -> str:
