@@ -8,6 +8,8 @@ from scipy.signal import butter, filtfilt
 
 import exoid
 from exoid import online
+from exoid.online.movement.begin import ROWS
+from exoid.online.movement.watch import REST
 from exoid.online.recorded import is_smoothed
 from exoid.recordings.declared.subject import Subject
 from exoid.recordings.measured.segment import Segment
@@ -15,6 +17,14 @@ from exoid.recordings.recording import Recording
 from fit_cases import DROP, LOADED, recorded
 from hands import Device, dropped
 from reflexes import ADULT, thrown
+
+
+@pytest.mark.parametrize("rate", [200, 250, 300, 400, 600, 1000])
+def test_what_is_remembered_of_a_recording_of_any_rate_shows_a_leg_at_rest(rate):
+    """A release is seen where it was still for half a second."""
+    segment = Segment(np.arange(2 * rate) / rate, raw_angle=np.zeros(2 * rate))
+    samples = online.samples_of(Recording((segment,), Subject(kind="leg")))
+    assert np.diff(samples.time).min() * (ROWS - 1) > REST
 
 
 def test_the_segments_of_a_recording_follow_each_other_with_their_masses():
