@@ -7,7 +7,7 @@ import pytest
 from exoid.cli.live.page.state import now
 from exoid.cli.live.panel import bar
 from exoid.cli.live.result import lines
-from exoid.cli.live.saying import words
+from exoid.cli.live.saying import leaning, words
 from exoid.cli.live.saying.movements import all_drops
 from exoid.cli.live.session import Session
 from exoid.cli.live.watched import Watched
@@ -41,17 +41,31 @@ def board_of(trust, *goals) -> Board:
 
 def test_what_a_slack_spring_leaves_open_is_said_of_what_is_believed_alone():
     board = board_of(Trust.GOOD)
-    assert words.if_slack(board) == ""
+    assert leaning.if_slack(board) == ""
     assert board.refined is not None
     board.refined = replace(board.refined, if_slack={NAMES[0]: 1.234, "inertia": 0.1})
     said = "± 1.2 1/s^2 more of gravity over inertia"
-    assert words.open_if_slack(board) == said
+    assert leaning.open_if_slack(board) == said
     whole = f"{said}, where the knee's spring is slack elsewhere than at full extension"
     assert lines(board)[-2] == whole  # before what to do next
     assert now(board)["fit"].endswith(f"; {whole}")
     failing = board_of(Trust.UNEXPLAINED)
     failing.refined = board.refined
-    assert words.if_slack(failing) == ""
+    assert leaning.if_slack(failing) == ""
+
+
+def test_what_the_stream_leaves_open_for_a_slack_spring_is_said_before_any_fit_is_made():
+    board = board_of(Trust.GOOD)
+    gravity = replace(KNOWN[0], if_slack=2.34)
+    board.refined = None
+    board.show(replace(board.moment, ratios=(gravity, *KNOWN[1:])))
+    assert leaning.settled(board) == "± 2.3 1/s^2 more of gravity over inertia"
+    assert "± 2.3 1/s^2 more of gravity over inertia, where" in lines(board)[-2]
+    board.show(replace(board.moment, phase=Phase.MOVING))
+    assert leaning.settled(board) == ""
+    assert leaning.if_slack(board)
+    board.show(replace(board.moment, phase=Phase.WAITING, drops=0))
+    assert leaning.if_slack(board) == ""  # nothing was seen of it
 
 
 @pytest.mark.parametrize("trust", [Trust.GOOD, Trust.ENOUGH])

@@ -23,6 +23,7 @@ class Outlook:
     rests: Int[Any, "*time"]  # the last of them, on which the estimates rest
     ratios: Float[Any, "*time 3"]
     errors: Float[Any, "*time 3"]  # standard
+    if_slack: Float[Any, "*time 3"]  # and more, where the knee's spring is slack elsewhere
     begun: Float[Any, "*time"]  # s, when the movement began to count, or the last one
     ended: Float[Any, "*time"]  # s, up to when that counted
     unwhite: Float[Any, "*time"]  # standard deviations by which innovations are not white

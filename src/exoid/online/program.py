@@ -66,7 +66,7 @@ def replay(belief: Belief, samples: Sample, model: Model = DEFAULT) -> tuple[Bel
 
 FIELDS = [each.name for each in fields(Sample)]
 SAID = [each.name for each in fields(Outlook)]
-WIDTHS = {"ratios": 3, "errors": 3}  # columns of an outlook; of the others 1
+WIDTHS = {"ratios": 3, "errors": 3, "if_slack": 3}  # columns of an outlook; of the others 1
 COUNTED = [np.asarray(count) for count in range(BLOCK + 1)]
 RESULTS = 2  # the belief, and what was said
 NO_TREE = jax.tree.structure(())  # of its arguments, which are bare arrays

@@ -67,7 +67,8 @@ def outlook(model: Model, belief: Knowledge) -> Outlook:
     known = shown(belief)
     on_seat = seated(known, model.node)
     values, errors = ratios(on_seat)
-    told = on_seat.told(slopes(on_seat.level.mean))
+    slope = slopes(on_seat.level.mean)
+    told = on_seat.told(slope)
     contradicted = off_the_seat(known, model.node)
     return Outlook(
         trust=trust(model.goals, belief, values, (errors, told), contradicted),
@@ -76,6 +77,7 @@ def outlook(model: Model, belief: Knowledge) -> Outlook:
         rests=belief.verdict.rests,
         ratios=values,
         errors=errors,
+        if_slack=jnp.zeros(3) if model.unknowns.pushed else on_seat.if_slack(slope),
         begun=belief.course.begun,
         ended=belief.course.ended,
         unwhite=unwhite(belief.course.whiteness)[1],

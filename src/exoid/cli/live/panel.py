@@ -5,7 +5,7 @@ import time
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
-from exoid.cli.live.saying import words
+from exoid.cli.live.saying import leaning, words
 from exoid.cli.live.saying.movements import changed, drops, movement
 from exoid.cli.terminal.say import say
 from exoid.cli.terminal.screen import NOBODY
@@ -86,7 +86,7 @@ class Panel:
             else self.said.get("trust", ""),
             "next": words.advice(self.board),
             "fit": words.batch(self.board),
-            "if slack": words.open_if_slack(self.board),
+            "if slack": leaning.settled(self.board),
         }
         for key, line in news.items():
             if line and line != self.said.get(key):
@@ -115,7 +115,7 @@ def drawing(board: "Board", name: str) -> Any:
         labelled("next", words.next_movement(board)),
         labelled("", words.gain(board)),
         labelled("check", words.batch(board)),
-        labelled("slack", words.open_if_slack(board)),
+        labelled("slack", leaning.open_if_slack(board)),
     ]
     where = Text(visible(f"exoid live  {name}"))
     return Frame(

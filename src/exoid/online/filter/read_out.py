@@ -7,8 +7,13 @@ stands, and never becomes a part of what is followed.
 
 No drop tells whether a foot puts the centre of mass beside the leg's line, which looks like a tilt
 of the seat, nor whether the clock is what encoder and gyro disagree by: errors hold both.
+
+Nor may the spring be slack at full extension: at phi_r it adds (c / J) phi_r to the offset, as
+a constant torque does, and o - c gamma = c (e + phi_r). That is no part of the errors, which are of
+Eq. 9: `if_slack` tells it beside them.
 """
 
+from math import hypot
 from typing import Any
 
 import equinox as eqx
@@ -17,6 +22,7 @@ import jax.numpy as jnp
 from jaxtyping import Array, Bool, Float
 
 from exoid.fitting.model.systematics import FOOT
+from exoid.fitting.result.remarks.zero.leaning import BENT
 from exoid.online.filter.gaussian import Gaussian
 from exoid.online.filter.times import times
 from exoid.online.model.model import Node
@@ -32,10 +38,13 @@ Scalar = Float[Array, ""]
 
 
 class Seated(eqx.Module):
-    """The belief on a seat that is level, and on one tilted as a foot makes it look."""
+    """The belief on a seat that is level, and on one tilted as a foot makes it look, and as a
+    spring does that is slack within BENT of full extension.
+    """
 
     level: Gaussian
     slanted: Gaussian
+    slack: Gaussian
     odds: Float[Any, ""]  # that a foot does
     clock: Float[Any, ""]  # standard deviation of its rate, relative
 
@@ -57,16 +66,25 @@ class Seated(eqx.Module):
         clock = jnp.asarray(powers) * values * self.clock
         return jnp.sqrt(level + self.odds * (slanted - level) + clock**2)
 
+    def if_slack(self, slope: Float[Array, "number unknown"]) -> Float[Array, " number"]:
+        """How far numbers that change so with the unknowns are off where the spring is slack
+        elsewhere than at full extension: root mean square.
+        """
+        apart = times(slope, (self.slack.mean - self.level.mean)[:, None])[:, 0]
+        wider = jnp.sum(times(slope, self.slack.root) ** 2, axis=1) - self.told(slope) ** 2
+        return jnp.sqrt(jnp.maximum(apart**2 + wider, 0.0))
+
 
 def seated(belief: Gaussian, node: Node) -> Seated:
     """The belief with what a node says of seat and clock."""
     level = on_the_seat(belief, node.tilt)
+    slack = on_the_seat(belief, hypot(node.tilt, BENT))
     clock = doubted_clock(level, node)
     if node.slant <= node.tilt:
-        return Seated(level, level, jnp.zeros(()), clock)
+        return Seated(level, level, slack, jnp.zeros(()), clock)
     gain = likelihood(belief, node.slant) - likelihood(belief, node.tilt)
     odds = 1 / (1 + jnp.exp(-gain) * (1 / FOOT - 1))
-    return Seated(level, on_the_seat(belief, node.slant), odds, clock)
+    return Seated(level, on_the_seat(belief, node.slant), slack, odds, clock)
 
 
 def doubted_clock(belief: Gaussian, node: Node) -> Float[Array, ""]:

@@ -18,6 +18,7 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Array, Float
 
+from exoid.fitting.result.remarks.zero.leaning import CONSTANT
 from exoid.online.model.sample import Sample
 from exoid.physics.leg import GRAVITY
 from exoid.physics.moment import Cycle, SegmentConstants
@@ -95,6 +96,11 @@ class Unknowns:
             term.torque is not Term.torque or len(list(declarations(term))) > 1
             for term in self.terms
         )
+
+    @property
+    def pushed(self) -> bool:
+        """Has a term a constant torque of its own, of which a slack spring's is a part?"""
+        return any(name_of(term) in CONSTANT for term in self.terms)
 
     def terms_of(self, row: Row, inertia: Any) -> tuple[Term, ...]:
         """The terms in their own units."""

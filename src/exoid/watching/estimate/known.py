@@ -19,8 +19,10 @@ SCALED = ("kg", "N")  # units of what is as large as J begin so
 
 def ratios_of(said: Outlook, at: int) -> tuple[Quantity, ...]:
     """The ratios that were said after a sample."""
-    values, errors = (each[at].tolist() for each in (said.ratios, said.errors))
-    return tuple(Quantity(*one) for one in zip(RATIOS, values, errors, UNITS, strict=True))
+    numbers = said.ratios, said.errors, said.if_slack
+    values, errors, slack = (each[at].tolist() for each in numbers)
+    felt = [more if more >= error else None for more, error in zip(slack, errors, strict=True)]
+    return tuple(map(Quantity, RATIOS, values, errors, UNITS, felt))
 
 
 def known_of(belief: Belief, model: Model) -> dict[str, Quantity]:

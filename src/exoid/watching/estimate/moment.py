@@ -12,12 +12,15 @@ UNBELIEVABLE = (Trust.UNEXPLAINED, Trust.FAULTY)
 
 @dataclass(frozen=True)
 class Quantity:
-    """A value with its standard error, both in `unit`."""
+    """A value with its standard error, both in `unit`, and how much more that is for a spring slack
+    elsewhere than at full extension, where it is as much as the error.
+    """
 
     name: str
     value: float
     error: float
     unit: str
+    if_slack: float | None = None
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from exoid.cli.live.saying import words
+from exoid.cli.live.saying import leaning, words
 from exoid.cli.live.saying.changes import last_change
 from exoid.cli.live.saying.json_lines import document, number
 from exoid.cli.live.saying.movements import drops
@@ -40,7 +40,7 @@ def now(board: Board) -> dict[str, Any]:
 
 def checks(board: Board) -> str:
     """What holds of the numbers: since when they are others, and what a fit says."""
-    fit = "; ".join(filter(None, [visible(words.batch(board)), words.if_slack(board)]))
+    fit = "; ".join(filter(None, [visible(words.batch(board)), leaning.if_slack(board)]))
     return ". ".join(filter(None, [raised(last_change(board)), fit]))
 
 

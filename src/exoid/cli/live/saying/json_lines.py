@@ -75,6 +75,7 @@ def listed(quantities: Iterable["Quantity"], believed: bool) -> dict[str, dict[s
         each.name: {
             "value": number(each.value) if believed else None,
             "standard_error": number(each.error) if believed else None,
+            "if_slack": each.if_slack if believed else None,
             "unit": each.unit,
         }
         for each in quantities

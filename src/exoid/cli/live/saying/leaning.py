@@ -3,7 +3,7 @@
 from math import isfinite
 from typing import TYPE_CHECKING
 
-from exoid.cli.live.saying.words import quantities
+from exoid.cli.live.saying.words import MOVING, quantities, title
 
 if TYPE_CHECKING:
     from exoid.watching.board import Board
@@ -19,6 +19,7 @@ FOOT = (
     "± holds what no drop tells: where a foot puts the centre of mass (give "
     "thigh_angle_uncertainty_deg with it)"
 )
+IF_SLACK = "{}, where the knee's spring is slack elsewhere than at full extension"
 BY_BOTH = f"{FOOT}, and a clock that may be what encoder and gyro disagree by (clock_uncertainty)"
 BY_ANGLE = (
     f"{FOOT}; it takes times as true to 0.01 %, where no clock_uncertainty says more: a camera's "
@@ -40,3 +41,33 @@ def allowance(board: "Board") -> str:
         return ""
     turning = any(isfinite(each.angular_velocity) for each in board.history)
     return BY_BOTH if turning else BY_ANGLE
+
+
+def open_if_slack(board: "Board") -> str:
+    """What errors the knee's spring adds where it is slack elsewhere: what the stream leaves open,
+    or the batch fit where that tells it.
+    """
+    if board.moment is None or not (board.moment.drops or moving(board)):
+        return ""
+    fitted = {} if board.refined is None else board.refined.if_slack
+    each = ((one, fitted.get(one.name, one.if_slack)) for one in quantities(board))
+    return ", ".join(
+        f"± {more:.2g} {one.unit} more of {title(one.name)}"
+        for one, more in each
+        if more is not None
+    )
+
+
+def moving(board: "Board") -> bool:
+    return board.moment is not None and int(board.moment.phase) == MOVING
+
+
+def settled(board: "Board") -> str:
+    """The same between movements: amid one, every sample changes it."""
+    return "" if moving(board) else open_if_slack(board)
+
+
+def if_slack(board: "Board") -> str:
+    """The same in a sentence."""
+    found = open_if_slack(board)
+    return found and IF_SLACK.format(found)

@@ -39,7 +39,6 @@ BY_GYRO = (
     "gyro, and gain and times of the encoder; exoid fit of a recording (-o) tells what still holds"
 )
 OPEN = (2, ENOUGH)  # trusts that would say good, or enough, while a goal is open
-IF_SLACK = "{}, where the knee's spring is slack elsewhere than at full extension"
 DIGITS = 2  # of an error
 
 
@@ -193,22 +192,6 @@ def batch(board: "Board") -> str:
     verdict = "agrees" if found.agrees else "DISAGREES"
     drops = "the drop" if found.drops == 1 else f"{found.drops} drops"
     return f"the fit of {drops} {verdict}: {far:.1f} standard errors apart at most"
-
-
-def open_if_slack(board: "Board") -> str:
-    """What errors that fit adds for where the knee's spring is slack, to what is believed."""
-    more = {} if board.refined is None or unexplained(board) else board.refined.if_slack
-    return ", ".join(
-        f"± {more[each.name]:.2g} {each.unit} more of {title(each.name)}"
-        for each in quantities(board)
-        if each.name in more
-    )
-
-
-def if_slack(board: "Board") -> str:
-    """The same in a sentence."""
-    found = open_if_slack(board)
-    return found and IF_SLACK.format(found)
 
 
 def unseen(board: "Board") -> str:

@@ -8,6 +8,7 @@ import numpy as np
 BENT = np.radians(30.0)  # of flexion, where a spring may well be slack: Riener & Edrich have 61 deg
 BEYOND = 1.5  # times what one makes of the ratios that is slack at BENT
 CLEAR = 4.0  # errors of a constant torque from which on it is worth a sentence
+CONSTANT = {"stiffness_rest_angle", "torque_bias"}  # terms of a constant torque
 LEANING = ("gravity_over_inertia", "stiffness_over_inertia")
 
 

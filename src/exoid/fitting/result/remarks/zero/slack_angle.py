@@ -16,7 +16,7 @@ from exoid.fitting.misfit.neighbourhood import prior_information, pull_of_belief
 from exoid.fitting.misfit.uncertainty import decomposed, inverse_times
 from exoid.fitting.model.coordinates import Coordinates, flattened, layout, unflattened
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.result.remarks.zero.leaning import BENT, LEANING, Leaning
+from exoid.fitting.result.remarks.zero.leaning import BENT, CONSTANT, LEANING, Leaning
 from exoid.fitting.solve.ask import grams_at
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.term import name_of
@@ -26,7 +26,6 @@ FELT, WORTH = 2.0, 0.01  # errors, and share, of a ratio left open where the res
 STIFFER = 2.0  # times as stiff as by the fit that a remark takes the leg for, at most
 REACH, STEPS = 6.0, 20_001  # errors of the torque, beyond which none is likely; so many are tried
 Numbers = Callable[[Coordinates], dict[str, float]]  # of a result, at a point
-CONSTANT = {"stiffness_rest_angle", "torque_bias"}  # terms of such a torque
 
 
 def left_open(
