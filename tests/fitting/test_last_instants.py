@@ -108,12 +108,14 @@ def softly_caught(seed: int) -> Recording:
 
 
 def test_a_movement_says_up_to_when_it_is_fitted_where_a_hand_ended_it():
-    """A hand of 0.35 s is felt within 0.2 s; the paper's clipping keeps what it does."""
+    """A hand of 0.35 s is felt within 0.2 s, and the swing in which it comes is left out from its
+    begin on; the paper's clipping keeps what it does.
+    """
     by_hand, free = caught(0, -0.3, 2.0, 1), caught(0, -0.3, np.inf, 1)
     body = Subject(kind="leg", body_mass=74.0, height=1.78)
     both = [("leg", Recording((by_hand, free), body, Protocol(kind="passive")))]
     ended_by_hand, whole = movements_of(both)
-    assert ended_by_hand.caught == pytest.approx(0.6 + 2.0, abs=0.2)
+    assert 0.6 + 2.0 - 0.5 < ended_by_hand.caught < 0.6 + 2.0 + 0.2
     assert whole.caught is None
     assert {each.caught for each in movements_of(both, clip="paper")} == {None}
     later = ended(whole, int(np.searchsorted(whole.segment.time, 1.5)))
@@ -126,7 +128,7 @@ def test_swings_before_hands_that_end_every_drop_softly_tell_the_leg(seed):
     """Friction that ends such swings would take as much from each before."""
     result = fit(softly_caught(seed), multistart=STARTS)
     assert result.follows
-    assert any("stops the leg" in note for note in result.notes)
+    assert all(each.caught is not None for each in result.segments)
     for name in ("gravity", "stiffness", "damping"):
         found = result.ratios[f"{name}_over_inertia"]
         assert abs(found.value - getattr(ADULT, name)) < 4 * found.standard_error
