@@ -1,10 +1,13 @@
 """A leg that becomes another one amid a stream: from which drop on, and what was known before."""
 
+import numpy as np
 import pytest
 from test_left_out import APART, HELD, followed, stream
 
 from exoid.online.model.trust import Phase, Trust
+from exoid.online.outlook import Outlook
 from exoid.watching.board import Board, Ended
+from exoid.watching.estimate.known import Changes
 from exoid.watching.estimate.left_out import STRAYED, LeftOut
 from exoid.watching.estimate.leg import LegDrop
 from exoid.watching.estimate.moment import Moment
@@ -63,3 +66,24 @@ def test_numbers_rest_on_those_before_where_the_drop_that_changed_them_is_taken_
     assert [each.moment.begun for each in board.ended] == [34.0]
     board.movements = (*board.movements, LeftOut(44.0, 34.0, STRAYED, falling=False))
     assert [each.moment.begun for each in board.ended] == [2.0, 18.0]
+
+
+def test_a_change_is_told_once_its_numbers_can_be_believed():
+    def said(trust: Trust, rests: int) -> Outlook:
+        number = np.zeros(1)
+        counts = (np.array([int(each)]) for each in (trust, Phase.DONE, rests, rests))
+        return Outlook(
+            *counts, np.ones((1, 3)), np.ones((1, 3)), *[number + 30.0] * 2, *[number] * 2
+        )
+
+    changes = Changes()
+    changes.look(said(Trust.GOOD, 3), 1)
+    assert changes.counted(said(Trust.UNEXPLAINED, 1), 0) is None
+    changes.look(said(Trust.UNEXPLAINED, 1), 1)
+    found = changes.counted(said(Trust.GOOD, 2), 0)
+    assert found is not None
+    assert (found.since, found.drops) == (30.0, 3)
+    assert changes.counted(said(Trust.GOOD, 3), 0) is None
+    changes.counted(said(Trust.UNEXPLAINED, 1), 0)
+    changes.taken_back()
+    assert changes.counted(said(Trust.GOOD, 3), 0) is None

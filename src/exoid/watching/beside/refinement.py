@@ -50,8 +50,10 @@ class Refinement:
 
     def add(self, drop: LegDrop) -> None:
         """One more drop of the same leg; the first one of another leg begins anew."""
-        if drop.moment.change is not None:
-            self.drops = [each for each in self.drops if each.mass != drop.mass]
+        if (change := drop.moment.change) is not None:
+            since = change.since
+            others = (each for each in self.drops if each.mass != drop.mass or each.until > since)
+            self.drops = list(others)
         if drop.number <= len(self.drops):
             self.drops = []
         if np.ptp(drop.segment.best_angle[np.isfinite(drop.segment.best_angle)]) >= LEAST:

@@ -158,6 +158,8 @@ class Estimator:
     def ended(self, row: Row, outlook: Outlook, at: int) -> Iterator[Drop]:
         """The number of drops has changed: one has ended, or the leg is another one."""
         before, self.drops = self.drops, int(outlook.drops[at])
+        if self.drops < before:
+            self.changes.taken_back()
         if outlook.phase[at] == Phase.MOVING:
             self.changes.begun(outlook, at)
         every = np.concatenate(self.rows)

@@ -7,7 +7,7 @@ import numpy as np
 from exoid.online.model.model import Model
 from exoid.online.model.trust import Phase
 from exoid.online.outlook import Outlook
-from exoid.watching.estimate.moment import Change, Quantity
+from exoid.watching.estimate.moment import UNBELIEVABLE, Change, Quantity
 from exoid.watching.estimate.online import Belief, estimates
 
 RATIOS = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
@@ -51,6 +51,7 @@ class Changes:
     def __init__(self):
         self.known: Change | None = None  # what is known, as if another leg were to come
         self.open: Change | None = None  # until a drop of the other leg has ended
+        self.due: Change | None = None  # of a drop that ended as nobody could believe its numbers
 
     def look(self, said: Outlook, until: int) -> None:
         """Remember what is known while nothing moves; a drop that was taken back told nothing."""
@@ -65,10 +66,17 @@ class Changes:
         self.open = self.since(said, at, another=True)
 
     def counted(self, said: Outlook, at: int) -> Change | None:
-        """A drop has ended: is it the first one of other numbers?"""
-        found, self.open = self.open, None
-        alone = found is None and said.rests[at] == 1
-        return self.since(said, at, another=False) if alone else found
+        """A drop has ended: is it the first one of other numbers that can be believed?"""
+        found, self.open = self.open or self.due, None
+        if found is None and said.rests[at] == 1:
+            found = self.since(said, at, another=False)
+        believed = int(said.trust[at]) not in UNBELIEVABLE
+        self.due = None if believed else found
+        return found if believed else None
+
+    def taken_back(self) -> None:
+        """The last drop told nothing."""
+        self.due = None
 
     def since(self, said: Outlook, at: int, *, another: bool) -> Change | None:
         if self.known is None:
