@@ -87,3 +87,5 @@ def test_a_change_is_told_once_its_numbers_can_be_believed():
     changes.counted(said(Trust.UNEXPLAINED, 1), 0)
     changes.taken_back()
     assert changes.counted(said(Trust.GOOD, 3), 0) is None
+    segment_ends = said(Trust.FAULTY, 1)  # a pause that was foreseen is no fault
+    assert changes.counted(segment_ends, 0) is not None

@@ -5,9 +5,9 @@ ratios of before it changed.
 import numpy as np
 
 from exoid.online.model.model import Model
-from exoid.online.model.trust import Phase
+from exoid.online.model.trust import Phase, Trust
 from exoid.online.outlook import Outlook
-from exoid.watching.estimate.moment import UNBELIEVABLE, Change, Quantity
+from exoid.watching.estimate.moment import Change, Quantity
 from exoid.watching.estimate.online import Belief, estimates
 
 RATIOS = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
@@ -70,7 +70,7 @@ class Changes:
         found, self.open = self.open or self.due, None
         if found is None and said.rests[at] == 1:
             found = self.since(said, at, another=False)
-        believed = int(said.trust[at]) not in UNBELIEVABLE
+        believed = said.trust[at] != Trust.UNEXPLAINED  # a pause that was foreseen is no fault
         self.due = None if believed else found
         return found if believed else None
 
