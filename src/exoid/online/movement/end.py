@@ -22,9 +22,7 @@ SHORTEST = 0.4  # s of a movement that counts
 SWINGS = 2  # turns of a leg that a hand or a muscle may not have led: those go there and back
 SUDDEN = 3.5  # standard deviations: what was white until just now fails for a hand, not for a model
 SWUNG = 2  # turns after its end by which a movement was no hand's, but one that nobody explained
-PROVEN = (
-    6  # turns of a leg that the model explained: smaller swings have nothing that those had not
-)
+PROVEN = 6  # turns that the model explained: smaller swings have nothing that those had not
 LIFTED = np.radians(5.0)  # rad up from its last turn: more than a reflex adds to a swing
 
 
