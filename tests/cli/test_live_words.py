@@ -122,6 +122,7 @@ def test_where_no_drop_narrows_large_errors_nothing_is_said_to_be_learning():
     assert words.trust(board).startswith("learning")
     board.advice = replace(board.advice, movement=None)
     assert words.trust(board) == words.AS_FAR
+    assert words.advice(board) == ""  # it is said already
     board.advice = replace(board.advice, before=0.5)  # of an error that is no longer shown
     assert words.trust(board).startswith("learning")
 
