@@ -140,8 +140,9 @@ def next_movement(board: "Board") -> str:
         by_hand = BY_HAND if board.falls_astray else DIAGNOSE
         return by_hand if board.gyro is None else by_gyro(board.gyro)
     found = standing(board)
-    said = found is None or enough(board) or trust(board) == AS_FAR
-    return "" if said else found.words
+    if found is None or enough(board) or trust(board) == AS_FAR:
+        return ""
+    return found.words
 
 
 def by_gyro(off: "GyroOff") -> str:
