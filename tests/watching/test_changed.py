@@ -72,9 +72,8 @@ def test_a_change_is_told_once_its_numbers_can_be_believed():
     def said(trust: Trust, rests: int) -> Outlook:
         number = np.zeros(1)
         counts = (np.array([int(each)]) for each in (trust, Phase.DONE, rests, rests))
-        return Outlook(
-            *counts, np.ones((1, 3)), np.ones((1, 3)), *[number + 30.0] * 2, *[number] * 2
-        )
+        numbers = [np.ones((1, 3))] * 3  # ratios, their errors, and more if slack
+        return Outlook(*counts, *numbers, *[number + 30.0] * 2, *[number] * 2)
 
     changes = Changes()
     changes.look(said(Trust.GOOD, 3), 1)
