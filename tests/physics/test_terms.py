@@ -602,7 +602,7 @@ def test_a_term_that_brakes_takes_its_torque_times_the_way_from_the_energy(name,
     for row, angle, speed, left in moved:
         power = speed * BRAKES[name][0](TERMS[name](*row), angle, speed)
         lost = trapezoid(power, dx=1 / FINE)
-        # trapezoids and half steps: h^2; in the step of a turn or a stop, F v h
+        # trapezoids: h^2; in the step of a turn or a stop, F v h
         assert left[0] - left[-1] == pytest.approx(lost, rel=2e-3)
 
 

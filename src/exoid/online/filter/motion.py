@@ -68,7 +68,7 @@ def view(unknowns: Unknowns, row: Row, sample: Sample) -> View:
 
 
 def roughness(unknowns: Unknowns, leg: Leg, end: Motion, step: Any) -> Float[Array, ""]:
-    """Friction turns round at an instant of its own, and is followed part by part of a step."""
+    """Friction turns round at an instant that nobody is sure of: it may be a part of a step off."""
     if not sticky(leg.terms):
         return jnp.zeros(())
     parts = max(PARTS, *(term.substeps for term in unknowns.terms))
