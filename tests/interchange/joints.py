@@ -15,9 +15,9 @@ from exoid.interchange.model.numbers import DRIVE
 from exoid.physics.leg import GRAVITY, LegModel
 from exoid.physics.library import library
 from exoid.physics.moment import SegmentConstants
+from exoid.physics.motion.parts_of_a_step import parts_to_follow
 from exoid.physics.motion.simulate import Trajectory, cycle_of, simulate
-from exoid.physics.motion.turning import parts_to_turn
-from exoid.physics.motion.with_terms import at_rest, sticky
+from exoid.physics.motion.with_terms import at_rest
 from exoid.physics.parameter import declarations
 from exoid.physics.state import LegState
 from exoid.physics.term import Term, name_of
@@ -52,7 +52,7 @@ class Case:
             start,
             jnp.asarray(np.append(fine, times[-1])),
             jnp.asarray(float(self.joint.number)),
-            parts=parts_to_turn(float(np.diff(fine)[0])) if sticky(self.model.terms) else 1,
+            parts=parts_to_follow([*map(type, self.model.terms)], float(np.diff(fine)[0])),
         )
         return jax.tree.map(lambda each: each[::finer], found)
 

@@ -59,7 +59,7 @@ class Term(eqx.Module):
     begun: ClassVar[str] = ""  # the parameter that says how the state begins
     moves_zero: ClassVar[bool] = False  # does it move the encoder's zero between segments
     jumps: ClassVar[bool] = False  # does the gyro's reading jump
-    substeps: ClassVar[int] = 1  # of a time step, where the term is faster than the leg
+    substeps: ClassVar[int] = 1  # of 10 ms or more, where the term is faster than the leg
     voluntary: ClassVar[bool] = False  # does it change the torque of Eq. 10, and nothing else
     living: ClassVar[bool] = False  # does it take a person's leg, so that no rig has it
     mechanical: ClassVar[bool] = False  # does only a rig have it, and no person's leg

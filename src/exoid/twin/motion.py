@@ -12,10 +12,10 @@ from jaxtyping import Array, Float
 
 from exoid.physics.leg import LegModel
 from exoid.physics.moment import Moment, SegmentConstants
+from exoid.physics.motion.parts_of_a_step import parts_to_follow
 from exoid.physics.motion.simulate import FIRST, cycle_of, simulate
 from exoid.physics.motion.step import march, rk4
-from exoid.physics.motion.turning import parts_to_turn
-from exoid.physics.motion.with_terms import delayed, errors, sticky
+from exoid.physics.motion.with_terms import delayed, errors
 from exoid.physics.state import LegState
 from exoid.physics.term import SensorTerm
 from exoid.physics.torque import CycleTorque, NoTorque
@@ -133,7 +133,7 @@ def release(
         torque = CycleTorque(amplitude, period, CYCLES[reading] / period, jnp.zeros(()))
         driven = replace(model, leg=model.leg.with_added_mass(mass, distance), torque=torque)
         begin = LegState(start, jnp.zeros_like(start))
-        parts = parts_to_turn(time_step) if sticky(model.terms) else 1
+        parts = parts_to_follow([*map(type, model.terms)], time_step)
         moved = simulate(driven, begin, time, number, parts=parts)
         return ShownMotion(moved.shown_angle, moved.shown_velocity, moved.angular_acceleration)
 

@@ -12,6 +12,7 @@ from exoid.fitting.data.pace import parts_of
 from exoid.fitting.data.time_jitter import TimeJitter
 from exoid.fitting.model.systematics import SOMEWHERE, beside_unplaced
 from exoid.physics.motion.step import Drive
+from exoid.physics.term import Term
 from exoid.physics.waves import cycle_shape
 from exoid.recordings.measured.samples import Samples
 from exoid.recordings.signal.condition import stands, torque_frequencies
@@ -23,11 +24,15 @@ SPLINE = 5  # order of a smooth torque's spline
 STANDS = 30  # samples in a row of one value: noise of a third of a step makes one of 1000 as long
 
 
-def observe(movements: list[Movement], reading: str) -> Observation:
-    """All movements in one shape; `reading` of Eq. 4 gives the torque its frequency."""
+def observe(
+    movements: list[Movement], reading: str, terms: tuple[type[Term], ...] = ()
+) -> Observation:
+    """All movements in one shape; `reading` of Eq. 4 gives the torque its frequency, the fastest of
+    the `terms` the parts of a step.
+    """
     grids = [with_gaps_bridged(each.segment.time) for each in movements]
     size = bucket(max(grid.size for grid in grids))
-    parts = parts_of(movements)
+    parts = parts_of(movements, terms)
     rows = [
         one_observation(movements, number, grid, size, reading, parts)
         for number, grid in enumerate(grids)

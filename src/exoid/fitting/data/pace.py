@@ -3,7 +3,8 @@
 import numpy as np
 
 from exoid.fitting.data.movement import Movement
-from exoid.physics.motion.turning import parts_to_turn
+from exoid.physics.motion.parts_of_a_step import parts_to_follow
+from exoid.physics.term import Term
 from exoid.recordings.remembered import remembered
 from exoid.recordings.signal import turns
 from exoid.recordings.signal.turns import QUICK
@@ -24,17 +25,15 @@ def quickest(movements: list[Movement]) -> float:
     return max(map(pace, movements))
 
 
-def parts_of(movements: list[Movement]) -> int:
+def parts_of(movements: list[Movement], terms: tuple[type[Term], ...] = ()) -> int:
     """Into how many parts a step between samples is cut: 1 of whatever is as slow as a leg."""
-    rates = [(pace(each), float(np.median(np.diff(each.segment.time)))) for each in movements]
-    wanted = [rate * step / RADIANS for rate, step in rates if rate > QUICK]
-    return int(min(np.ceil(max(wanted, default=1.0)), MOST_PARTS))
-
-
-def parts_of_a_leg_that_sticks(movements: list[Movement]) -> int:
-    """The same where dry friction turns over with the leg."""
     steps = [float(np.median(np.diff(each.segment.time))) for each in movements]
-    return max(parts_of(movements), parts_to_turn(max(steps)))
+    rates = map(pace, movements)
+    wanted = [
+        rate * step / RADIANS for rate, step in zip(rates, steps, strict=True) if rate > QUICK
+    ]
+    quick = int(min(np.ceil(max(wanted, default=1.0)), MOST_PARTS))
+    return max(quick, parts_to_follow(terms, max(steps)))
 
 
 def unhurried(movement: Movement, width: float) -> float:

@@ -5,11 +5,10 @@ from dataclasses import replace
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observe import observe
-from exoid.fitting.data.pace import parts_of_a_leg_that_sticks
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.systematics import OWNED, deviations, in_common, owned_by
 from exoid.fitting.solve.problem import Problem, known_of
-from exoid.physics.term import Term, holds
+from exoid.physics.term import Term
 
 
 def pose(
@@ -28,12 +27,9 @@ def pose(
     owned = tuple(name for name in owned_by(movements, owned) if name not in replaced)
     declared, alike = deviations(movements, owned), in_common(movements, owned)
     prior = replace(belief.prior, mounting=declared, in_common=alike)
-    observation = observe(movements, reading)
-    if any(map(holds, terms)):
-        observation = replace(observation, parts=parts_of_a_leg_that_sticks(movements))
     return Problem(
         movements,
-        observation,
+        observe(movements, reading, terms),
         known_of(movements, belief, owned, terms),
         replace(belief, prior=prior),
         chain,

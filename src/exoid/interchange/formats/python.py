@@ -10,8 +10,8 @@ from exoid.interchange.formula.spell import FORMULA, Language, lines
 from exoid.interchange.model.described import in_docstring
 from exoid.interchange.model.formulas import acceleration, eq9, friction, torque_over_time
 from exoid.interchange.model.joint import STILL, Exported, Joint, Kept, Number, Part
-from exoid.physics.motion.turning import parts_to_turn
-from exoid.physics.term import holds, strikes
+from exoid.physics.motion.parts_of_a_step import parts_to_follow
+from exoid.physics.term import strikes
 from exoid.physics.torque import MeasuredTorque
 
 MOVING = ("time", "angle", "rate", "push")
@@ -72,10 +72,9 @@ def interval(joint: Joint) -> float:
 
 def pieces(joint: Joint) -> int:
     """Pieces of a step: as many as the fastest term asks for, and more for contacts."""
-    terms = [each.term for each in joint.parts]
-    finer = UNFORESEEN if any(strikes(type(each)) for each in terms) else 1
-    turning = parts_to_turn(interval(joint)) if any(holds(type(each)) for each in terms) else 1
-    return finer * max([joint.finer, turning, *(each.substeps for each in terms)])
+    terms = [type(each.term) for each in joint.parts]
+    finer = UNFORESEEN if any(map(strikes, terms)) else 1
+    return finer * max(joint.finer, parts_to_follow(terms, interval(joint)))
 
 
 def remembered(parts: Iterable[Part]) -> list[float]:

@@ -9,6 +9,7 @@ from jaxtyping import Array, Float
 from exoid.online.model.sample import Sample
 from exoid.online.model.unknowns import AT, Leg, Row, Unknowns
 from exoid.physics.motion.extended_step import extended_step
+from exoid.physics.motion.parts_of_a_step import most_parts
 from exoid.physics.motion.step import Drive
 from exoid.physics.motion.with_terms import (
     Motion,
@@ -50,9 +51,9 @@ def advance(unknowns: Unknowns, row: Row, sample: Sample, span: Span) -> Arrival
     start, begun = Motion(leg.state, tuple(jnp.zeros(0) for _ in leg.terms)), sample.time - step
     first = leg.push + (span.torque - sample.torque) / leg.place.inertia
     drive = Drive(first, (first + leg.push) / 2, leg.push)
-    end = extended_step(leg.place, leg.terms, start, begun, step, drive, parts=PARTS)
+    end = extended_step(leg.place, leg.terms, start, begun, step, drive, parts=parts_of(leg))
     state = jnp.stack([end.leg.angle + leg.turned, end.leg.angular_velocity])
-    return Arrival(state, roughness(unknowns, leg, end, step))
+    return Arrival(state, roughness(leg, end, step))
 
 
 def view(unknowns: Unknowns, row: Row, sample: Sample) -> View:
@@ -67,11 +68,15 @@ def view(unknowns: Unknowns, row: Row, sample: Sample) -> View:
     return View(shown, seen.angular_acceleration)
 
 
-def roughness(unknowns: Unknowns, leg: Leg, end: Motion, step: Any) -> Float[Array, ""]:
+def parts_of(leg: Leg) -> int:
+    """Of a step."""
+    return max(PARTS, most_parts([*map(type, leg.terms)]))
+
+
+def roughness(leg: Leg, end: Motion, step: Any) -> Float[Array, ""]:
     """Friction turns round at an instant that nobody is sure of: it may be a part of a step off."""
     if not sticky(leg.terms):
         return jnp.zeros(())
-    parts = max(PARTS, *(term.substeps for term in unknowns.terms))
     level = friction(leg.terms, moment(leg.place, end.leg, step, leg.push)) / leg.place.inertia
     turned = leg.state.angular_velocity * end.leg.angular_velocity <= 0
-    return jnp.where(turned, jnp.abs(level) * step / parts, 0.0)
+    return jnp.where(turned, jnp.abs(level) * step / parts_of(leg), 0.0)

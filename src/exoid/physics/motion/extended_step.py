@@ -10,6 +10,7 @@ from jaxtyping import Array, Float
 from exoid.physics.moment import SegmentConstants
 from exoid.physics.motion.contact import CLOSE, met, until_contact
 from exoid.physics.motion.dry_friction import sense_of, turned
+from exoid.physics.motion.parts_of_a_step import most_parts
 from exoid.physics.motion.step import Drive, parabola, rk4
 from exoid.physics.motion.with_terms import (
     Motion,
@@ -35,15 +36,15 @@ def extended_step(
     step: Any,
     drive: Drive,
     *,
-    parts: int = 1,
+    parts: int | None = None,
     compact: bool = False,
 ) -> Motion:
-    """The step from `time` on, in so many `parts` or as many as the fastest term asks for, each of
-    them `compact` (`rk4`) or not.
+    """The step from `time` on, in so many `parts`, or as many as the fastest term asks for of the
+    longest step, each of them `compact` (`rk4`) or not.
 
     A part in which something meets ends there, and the next is longer.
     """
-    parts = max([parts, *(term.substeps for term in terms)])
+    parts = parts or most_parts([*map(type, terms)])
     meeting = any(strikes(type(term)) for term in terms)
     parts = max(parts, FEWEST) if meeting else parts
     if parts == 1:

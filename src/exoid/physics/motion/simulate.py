@@ -44,13 +44,13 @@ def simulate(
     time: Float[Array, " time"],
     number: Float[Any, ""] = FIRST,
     *,
-    parts: int = 1,
+    parts: int | None = None,
 ) -> Trajectory:
     """Integrate Eq. 9 and the model's terms from `start` at `time[0]`, a step per sample interval.
 
     The steps may differ in length; the torque is taken at the begin, middle and end of each.
-    The error falls with the fourth power of the step: at 100 Hz it is below 1e-6 rad for a leg. Dry
-    friction turns over at the end of a step, or of one of so many `parts` of it.
+    The error falls with the fourth power of the step: at 100 Hz it is below 1e-6 rad for a leg. A
+    step is cut into so many `parts`, or as many as the fastest term asks for.
     Terms begin as they are after a long rest at `start`; some change with the segment's `number`,
     which counts from 0.
 
