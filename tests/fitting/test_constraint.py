@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from exoid.fitting.model.constraint import NEVER, violations
-from exoid.fitting.model.limits import constraint_names
-from exoid.fitting.model.prior_and_limits import leg_limits, limits_of, paper_bounds, rig_limits
+from exoid.fitting.model.limits import constraint_names, paper_limits, rig_limits
+from exoid.fitting.model.prior_and_limits import leg_limits
 from exoid.physics.anatomy import reach
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
@@ -16,7 +16,7 @@ from exoid.recordings.declared.subject import Subject
 from fit_cases import leg
 
 NAMES = [entry.name for entry in fields(LegParameters)]
-LIMITS = limits_of(paper_bounds(), 250.0, reach(1.80))  # Eq. 13, and the reach of its subject
+LIMITS = replace(paper_limits(), reach=np.asarray(reach(1.80)))  # Eq. 13, and its subject's reach
 NO_TORQUE = np.zeros(1)
 
 

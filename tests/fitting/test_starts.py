@@ -9,8 +9,8 @@ from exoid.fitting.data.segment import movement
 from exoid.fitting.estimate import fit
 from exoid.fitting.model.constraint import violations
 from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
-from exoid.fitting.model.limits import constraint_names
-from exoid.fitting.model.prior_and_limits import leg_limits, limits_by_hand
+from exoid.fitting.model.limits import constraint_names, limits_by_hand
+from exoid.fitting.model.prior_and_limits import leg_limits
 from exoid.fitting.model.user_values import ByHand
 from exoid.fitting.multistart.beginning.starts import check_draw, coordinates, draw, first_state
 from exoid.fitting.multistart.beginning.tethers import within_reach

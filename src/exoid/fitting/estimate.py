@@ -2,30 +2,29 @@
 
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Literal
 
 import jax
 import numpy as np
 
 from exoid.fitting.amount.manageable import TOGETHER, Amount, manageable
+from exoid.fitting.asked import PLAIN_SCALE, classes_of, plainly, readings, with_aside
 from exoid.fitting.data.conditioning import conditioned
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.fitted_samples import Clip
-from exoid.fitting.data.movement import Movement, all_driven
+from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.size_of_rig import scale_of
 from exoid.fitting.hands.slow_release import is_held, of_slow, without_slow_release
 from exoid.fitting.hands.unseen_hands import FEW, without_unseen_hands
 from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName, by_hand
-from exoid.fitting.model.belief import NAMES, Belief
+from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.user_values import Bounds, Expectations, Fixed
 from exoid.fitting.movements import left_out, movements_in
+from exoid.fitting.multistart.beginning.begin import begin
 from exoid.fitting.multistart.beginning.starts import (
     check_draw,
-    draw,
-    driven,
-    informed,
     term_starts,
 )
 from exoid.fitting.multistart.search import never, search
@@ -37,15 +36,9 @@ from exoid.fitting.result.remarks.upwards_remarks import UPWARDS, upwards
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.unlike_tables import contradicted, strange, without_tables
-from exoid.physics.library import check_terms, library
 from exoid.physics.scale import AS_A_LEG, Scale
-from exoid.physics.term import SensorTerm, Term, name_of
+from exoid.physics.term import SensorTerm, Term
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
-from exoid.recordings.recording import Recording
-
-MIDDLING = {"mass": 4.0, "inertia": 0.4}  # kg, kg m^2: where nothing is expected
-PLAIN_SCALE = 1e3  # 1/rad: the solver's tolerances are in units of noise, here 1 mrad
-READINGS = ("1/T", "2/T")  # of Eq. 4
 
 
 def fit(
@@ -229,66 +222,9 @@ def refuse_upwards(problem: Problem, found: SearchResult) -> None:
         raise ValueError(UPWARDS)
 
 
-def begin(
-    movements: list[Movement], belief: Belief, reading: str, count: int, seed: int
-) -> np.ndarray:
-    """The starts: two informed ones, from anatomy and from inverse dynamics, the rest drawn."""
-    starts, typical = draw(count, seed, belief.limits), belief.typical
-    if typical.keys() >= {*NAMES}:
-        starts[0] = [*(typical[name] for name in NAMES), 0.0]
-    mass, inertia = (typical.get(*each) for each in MIDDLING.items())
-    if belief.rig and all_driven(movements):
-        guess = driven(movements, mass)
-    else:
-        guess = informed(movements, reading, mass, inertia)
-    if count > 1 and guess is not None:
-        starts[1] = guess
-    return starts
-
-
 def by_slsqp(problem: Problem, starts: np.ndarray, terms: tuple[Term, ...]) -> SearchResult:
     """The search by the reference method."""
     from exoid.fitting.reference.slsqp import search_slsqp
 
     with jax.enable_x64(True):  # finite differences of a float32 loss lead nowhere
         return search_slsqp(problem, starts, terms)
-
-
-def classes_of(terms: Sequence[type[Term] | Term]) -> tuple[type[Term], ...]:
-    """The classes of terms.
-
-    **Raises** `ValueError` where one is there twice, or is no term that a search could begin with.
-    """
-    if not isinstance(terms, tuple | list):
-        raise ValueError("terms are several: terms=(CoulombFriction,), with the comma.")
-    for each in terms:
-        if not issubclass(each if isinstance(each, type) else type(each), Term):
-            raise ValueError(
-                f"terms has {each!r}, which is no term: give classes such as CoulombFriction, or "
-                "such with values; exoid.physics.library.library() has them all."
-            )
-    classes = tuple(each if isinstance(each, type) else type(each) for each in terms)
-    twice = [name_of(each) for each in classes if classes.count(each) > 1]
-    if twice:
-        raise ValueError(f"the term {twice[0]} is given twice: once is enough.")
-    check_terms(tuple(each for each in classes if each not in library()))
-    return classes
-
-
-def with_aside(result: FitResult, aside: list[str]) -> FitResult:
-    """With what was left out of the recordings, behind why a fit that is astray is."""
-    first = [] if result.follows else result.notes[:1]
-    return replace(result, set_aside=aside, notes=[*first, *aside, *result.notes[len(first) :]])
-
-
-def plainly(each: Movement) -> Movement:
-    """Weigh every angle alike and leave the velocity out, as Eq. 11 does."""
-    return replace(each, divisor=1 / PLAIN_SCALE, angular_velocity=None, gyro_noise=None)
-
-
-def readings(named: list[tuple[str, Recording]], movements: list[Movement]) -> tuple[str, ...]:
-    """The readings of Eq. 4 to try: as the sidecar says, else both; one where no cycle is."""
-    said = {recording.protocol.torque_frequency for _, recording in named} - {None}
-    if not any(each.voluntary for each in movements):
-        return READINGS[:1]
-    return tuple(sorted(said)) if said else READINGS  # type: ignore[arg-type]

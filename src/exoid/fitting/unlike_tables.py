@@ -7,8 +7,8 @@ ratios that its motion tells. One that swings too slowly has mass beyond its toe
 from dataclasses import replace
 
 from exoid.fitting.model.belief import Belief
+from exoid.fitting.model.limits import limits_of
 from exoid.fitting.model.prior import no_prior
-from exoid.fitting.model.prior_and_limits import limits_of
 from exoid.fitting.result.agreement import astray, believed, root_mean_square, simulated
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks.anatomy_remarks import SWING, from_anatomy

@@ -10,7 +10,7 @@ from exoid.fitting.apart.averaged import mean_slack
 from exoid.fitting.apart.means import mean_ratio, mean_term, mean_torque, scaled
 from exoid.fitting.apart.said import said_of
 from exoid.fitting.apart.settled import COMMON, settled_parameters
-from exoid.fitting.estimate import PLAIN_SCALE, classes_of, with_aside
+from exoid.fitting.asked import PLAIN_SCALE, classes_of, with_aside
 from exoid.fitting.model.assumptions import Assumptions, by_hand
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.prior_and_limits import believe

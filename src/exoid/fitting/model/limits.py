@@ -1,15 +1,21 @@
 """What a leg and its terms can be, and what is expected of them, in numbers."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
+import numpy as np
 from jaxtyping import Float
 
 from exoid.fitting.model.mounting import Mounting
-from exoid.fitting.model.term_parameters import NAMES, parameters_of
+from exoid.fitting.model.term_parameters import NAMES, leg_of, parameters_of, with_values
+from exoid.fitting.model.user_values import DECLARED, ByHand
 from exoid.physics.leg import LegParameters
 from exoid.physics.record import record
 from exoid.physics.term import Term
+
+TORQUE = 250.0  # N m, of Eq. 13
+NO_REACH = 1e3  # m: Eq. 12 and 13 have none; an infinite one marks a rig
 
 
 @record
@@ -48,6 +54,43 @@ class Prior:
     in_common: Mounting | None = None  # W of each, with W'W the inverse of its correlation
     terms: tuple[Term, ...] = ()  # what is expected of the terms' parameters
     terms_deviation: tuple[Term, ...] = ()  # an infinite one says nothing
+
+
+def limits_of(ends: Mapping[str, tuple[float, float]], torque: float, furthest: float) -> Limits:
+    """Of the lowest and the highest of each parameter of a leg."""
+    return Limits(
+        lower=leg_of(lambda name: ends[name][0]),
+        upper=leg_of(lambda name: ends[name][1]),
+        torque=np.asarray(torque),
+        reach=np.asarray(furthest),
+    )
+
+
+def paper_limits() -> Limits:
+    """Eq. 13, as `LegParameters` declares it."""
+    ends = {name: (each.lower, each.upper) for name, each in DECLARED.items()}
+    return limits_of(ends, TORQUE, NO_REACH)
+
+
+def rig_limits() -> Limits:
+    """Damping cannot be negative; nothing else is known of a rig."""
+    ends = {**dict.fromkeys(NAMES, (-np.inf, np.inf)), "damping": (0.0, np.inf)}
+    return limits_of(ends, np.inf, np.inf)
+
+
+def limits_by_hand(limits: Limits, hand: ByHand) -> Limits:
+    """The limits with the ends that were said; a fixed parameter has nothing between them."""
+    lower, upper = dict(hand.fix), dict(hand.fix)
+    for name, (low, high) in hand.bound.items():
+        lower[name] = float(getattr(limits.lower, name)) if low is None else low
+        upper[name] = float(getattr(limits.upper, name)) if high is None else high
+        if lower[name] >= upper[name]:
+            raise ValueError(
+                f"bound of {name}: {lower[name]:g} to {upper[name]:g} leaves nothing, one end "
+                "being what a leg of this body can have at most. Give both ends, or check the body."
+            )
+    lowest, highest = with_values(limits.lower, lower), with_values(limits.upper, upper)
+    return replace(limits, lower=lowest, upper=highest)
 
 
 def constraint_names(segments: int, terms: Sequence[type[Term]] = ()) -> list[str]:

@@ -6,11 +6,18 @@ from typing import TypeAlias
 import numpy as np
 
 from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName
-from exoid.fitting.model.belief import NAMES, Belief
-from exoid.fitting.model.limits import Limits, Prior
+from exoid.fitting.model.belief import Belief
+from exoid.fitting.model.limits import (
+    Limits,
+    Prior,
+    limits_by_hand,
+    limits_of,
+    paper_limits,
+    rig_limits,
+)
 from exoid.fitting.model.prior import joint_prior, no_prior, own_units, with_own
-from exoid.fitting.model.term_parameters import leg_of, parameters_of, term_of, with_values
-from exoid.fitting.model.user_values import DECLARED, ByHand
+from exoid.fitting.model.term_parameters import parameters_of, term_of
+from exoid.fitting.model.user_values import ByHand
 from exoid.physics.anatomy import (
     Body,
     ExpectedLeg,
@@ -20,7 +27,7 @@ from exoid.physics.anatomy import (
     paper_prior,
     reach,
 )
-from exoid.physics.anatomy.limits import Allowed, allowed, anybody, strongest
+from exoid.physics.anatomy.limits import allowed, anybody, strongest
 from exoid.physics.parameter import Declaration
 from exoid.physics.scale import AS_A_LEG, Scale, ranged
 from exoid.physics.term import Term
@@ -28,8 +35,6 @@ from exoid.recordings.declared.subject import Subject
 
 TALL = 2.0  # m; the reach of a leg whose height is unknown
 DECADES = "d and c: a twentieth to twenty times a relaxed knee's"
-TORQUE = 250.0  # N m, of Eq. 13
-NO_REACH = 1e3  # m: Eq. 12 and 13 have none; an infinite one marks a rig
 
 
 def believe(
@@ -174,7 +179,7 @@ def leg_limits(subject: Subject, bounds: BoundsName = "body", own: Own | None = 
     The reach is that of the height; Eq. 13 has none.
     """
     if bounds == "paper":
-        return limits_of(paper_bounds(), TORQUE, NO_REACH)
+        return paper_limits()
     body = body_of(subject)
     mass, distance = told_of(subject, ByHand()) if own is None else own
     if body is not None:
@@ -193,38 +198,3 @@ def body_of(subject: Subject) -> Body | None:
     if subject.body_mass is None or subject.height is None:
         return None
     return Body(subject.body_mass, subject.height, age=subject.age)
-
-
-def paper_bounds() -> dict[str, Allowed]:
-    """Eq. 13, as `LegParameters` declares it."""
-    return {name: Allowed(each.lower, each.upper) for name, each in DECLARED.items()}
-
-
-def limits_of(each: dict[str, Allowed], torque: float, furthest: float) -> Limits:
-    return Limits(
-        lower=leg_of(lambda name: each[name].lower),
-        upper=leg_of(lambda name: each[name].upper),
-        torque=np.asarray(torque),
-        reach=np.asarray(furthest),
-    )
-
-
-def rig_limits() -> Limits:
-    """Damping cannot be negative; nothing else is known of a rig."""
-    free = Allowed(-np.inf, np.inf)
-    return limits_of(dict.fromkeys(NAMES, free) | {"damping": Allowed(0.0, np.inf)}, np.inf, np.inf)
-
-
-def limits_by_hand(limits: Limits, hand: ByHand) -> Limits:
-    """The limits with the ends that were said; a fixed parameter has nothing between them."""
-    lower, upper = dict(hand.fix), dict(hand.fix)
-    for name, (low, high) in hand.bound.items():
-        lower[name] = float(getattr(limits.lower, name)) if low is None else low
-        upper[name] = float(getattr(limits.upper, name)) if high is None else high
-        if lower[name] >= upper[name]:
-            raise ValueError(
-                f"bound of {name}: {lower[name]:g} to {upper[name]:g} leaves nothing, one end "
-                "being what a leg of this body can have at most. Give both ends, or check the body."
-            )
-    lowest, highest = with_values(limits.lower, lower), with_values(limits.upper, upper)
-    return replace(limits, lower=lowest, upper=highest)

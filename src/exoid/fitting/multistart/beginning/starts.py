@@ -13,16 +13,14 @@ from exoid.fitting.data.movement import Movement, absent_of, smoothed_motion
 from exoid.fitting.data.observe import cycle_torque
 from exoid.fitting.data.pace import unhurried
 from exoid.fitting.model.coordinates import Coordinates, SegmentUnknowns, shared_of
-from exoid.fitting.model.limits import Limits
+from exoid.fitting.model.limits import Limits, paper_limits
 from exoid.fitting.model.mounting import Mounting
-from exoid.fitting.model.prior_and_limits import leg_limits
 from exoid.fitting.model.systematics import OWNED, owned_by
 from exoid.fitting.model.term_parameters import over_inertia, term_of
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.scale import AS_A_LEG, Scale, ranged
 from exoid.physics.term import Term
-from exoid.recordings.declared.subject import Subject
 from exoid.recordings.signal.local_line import local_line
 
 FROM_NONE = 1e-3  # of the upper limit: where a draw begins whose lower limit is zero
@@ -45,9 +43,8 @@ def draw(count: int, seed: int, limits: Limits | None = None) -> np.ndarray:
     Every decade alike, J between m l^2 and reach m l where there is room; tau / J between those of
     the strongest leg of the greatest inertia.
     """
-    limits = leg_limits(Subject(), "paper") if limits is None else limits
-    if not np.isfinite(limits.reach):  # a rig's: it has none
-        limits = leg_limits(Subject(), "paper")
+    if limits is None or not np.isfinite(limits.reach):  # a rig's: it has none
+        limits = paper_limits()
     part = np.random.default_rng(seed).uniform(size=(count, 6))
     low, high = (np.array(jax.tree.leaves(each)) for each in (limits.lower, limits.upper))
     low = np.maximum(low, FROM_NONE * high)
