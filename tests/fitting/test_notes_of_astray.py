@@ -150,14 +150,20 @@ def test_a_mass_that_was_on_the_leg_in_some_drops_alone_is_asked_for(stiffness):
     assert ("Was a mass on the leg in one of them" in said) == (expected[0] - expected[1] > 4)
 
 
-@pytest.mark.parametrize(("turned", "said"), [(4.0, 1), (0.2, 0)])
-def test_one_that_goes_over_the_top_again_and_again_is_told_so(turned, said):
-    """There and back by so many turns."""
+@pytest.mark.parametrize(
+    ("turned", "lost", "gravity", "said"),
+    [(4.0, 0, None, 1), (4.0, 0, "none", 0), (0.2, 0, None, 0), (0.2, 40, None, 0)],
+)
+def test_one_that_goes_over_the_top_again_and_again_is_told_so(turned, lost, gravity, said):
+    """There and back by so many turns; an angle that is missing goes nowhere, and without gravity
+    nothing is the top.
+    """
     time = np.arange(0.0, 10.0, 0.01)
     angle = -np.pi / 2 + turned * np.pi * (1 - np.cos(time))
+    angle[np.arange(lost) * 20] = np.nan
     own = moved(
         Segment(time, raw_angle=angle, applied_torque=np.sin(time)),
-        subject=Subject(kind="rig", spring="none"),
+        subject=Subject(kind="rig", spring="none", gravity=gravity),
         protocol=Protocol(kind="measured"),
     )
     assert len(of_the_top(own)) == said

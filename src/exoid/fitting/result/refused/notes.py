@@ -147,8 +147,10 @@ def of_rests(movements: Sequence[Movement]) -> list[str]:
 def of_the_top(movements: Sequence[Movement]) -> list[str]:
     """That one goes over the top again and again, where a free simulation is soon elsewhere."""
     for each in movements:
-        turns = np.floor((each.angle - np.pi / 2) / (2 * np.pi))
-        count = int(np.count_nonzero(np.diff(turns)))
+        if "gravity" in each.absent:
+            continue
+        seen = each.angle[~np.isnan(each.angle)]
+        count = int(np.count_nonzero(np.diff(np.floor((seen - np.pi / 2) / (2 * np.pi)))))
         if count >= OFTEN:
             return [OVER.format(count=count, length=float(np.ptp(each.segment.time)))]
     return []
