@@ -83,14 +83,18 @@ def numbers_at(problem: Problem, point: Coordinates) -> dict[str, float]:
     return each | moment | mountings_at(problem, point)
 
 
-def beyond_belief(problem: Problem, ended: SearchResult) -> str | None:
-    """Which recording the fit takes for what nobody declares, if it does."""
+def beyond_belief(problem: Problem, ended: SearchResult, *, explained: bool) -> str | None:
+    """Which recording the fit takes for what nobody declares, if it does; where the motion is
+    `explained`, the ratios hold wherever a mass hangs.
+    """
     furthest, why = BEYOND, None
     let_go = any(each.kind == "passive" for each in problem.movements)
     misses = ended.disturbance.cause is not None
     for field in problem.owned:
         if field == "zero" and "gravity" in problem.absent:
             continue  # it is where the spring of a rig rests, which may be anywhere
+        if field in OF_THE_MASS and explained:
+            continue
         values, deviations = getattr(ended.point.mounting, field), problem.deviation_of(field)
         for entry in problem.estimated(field):
             away = abs(float(values[entry] / deviations[entry]))

@@ -7,10 +7,7 @@ import numpy as np
 
 from exoid.fitting.model.coordinates import leg_parameters, with_inertia
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.result.agreement import (
-    astray,
-    believed,
-)
+from exoid.fitting.result.agreement import EXPLAINED, astray, believed, over_noise
 from exoid.fitting.result.describing.doubts import doubted
 from exoid.fitting.result.describing.leg import of_leg
 from exoid.fitting.result.describing.notes import notes
@@ -28,7 +25,7 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.mountings import beyond_belief, estimate_mountings, numbers_at
 from exoid.fitting.result.remarks.limit_remarks import limits_met
 from exoid.fitting.result.remarks.rig_words import of_rig
-from exoid.fitting.result.segment_fit import SegmentFit
+from exoid.fitting.result.segment_fit import SegmentFit, pooled
 from exoid.fitting.result.untold import with_slack
 from exoid.fitting.solve.problem import Problem
 from exoid.recordings.conventions.jumps import jumping
@@ -90,6 +87,8 @@ def why_astray(
     why = jumping({each.name: each.jumps for each in problem.movements})
     if why is None:
         why = astray(believed(segments, ended.disturbance), limits_met(problem, at_bound))
-    why = beyond_belief(problem, ended) if why is None else why
+    if why is None:
+        explained = pooled(segments, over_noise) < EXPLAINED
+        why = beyond_belief(problem, ended, explained=explained)
     why = UNSETTLED if why is None and ended.best.exhausted[0] else why
     return of_rig(why) if why and problem.belief.rig else why
