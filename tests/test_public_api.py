@@ -85,8 +85,8 @@ def test_types_are_shipped():
 @pytest.mark.parametrize(
     ("terms", "said"),
     [
-        ("exoid.PhysicsTerm", "ValueError: terms are several: terms=(CoulombFriction,), with the"),
-        ("('coulomb_friction',)", "ValueError: terms has 'coulomb_friction', which is no term"),
+        ("exoid.PhysicsTerm", 'ValueError: terms are several: terms=("coulomb_friction",), with'),
+        ("('coulomb',)", "ValueError: there is no term 'coulomb': did you mean coulomb_friction?"),
     ],
 )
 def test_terms_that_are_none_are_refused_in_one_sentence(terms, said, tmp_path):

@@ -198,21 +198,23 @@ def test_other_programs_ways_of_writing_a_csv_are_read(write, content):
 
 def test_unknown_columns_and_keys_are_kept_and_named_with_the_nearest_known(write, tmp_path):
     csv = 'time_s,angle_rad,velocity_rads,who\n0,-0.1,1.50,"a, b"\n1,-0.2,,c\n'
-    toml = '[subject]\nhieght_m = 1.8\nmood = "good"\n[sensor]\nx = [1]\n[protocol]\nheight_m = 2\n'
+    subject = '[subject]\nhieght_m = 1.8\nweight_kg = 75\nmood = "good"\n'
+    toml = subject + "[sensor]\nx = [1]\n[protocol]\nheight_m = 2\n"
     path = write(csv, toml)
     recording, notes = read_table(path)
     assert recording.segments[0].extra_columns == {
         "velocity_rads": ("1.50", ""),
         "who": ("a, b", "c"),
     }
-    assert recording.subject.extra_keys == {"hieght_m": 1.8, "mood": "good"}
+    assert recording.subject.extra_keys == {"hieght_m": 1.8, "weight_kg": 75, "mood": "good"}
     assert recording.extra_tables == {"sensor": {"x": [1]}}
     said = "\n".join(notes)
     assert "column velocity_rads is kept as text. Did you mean velocity_rad_s?" in said
     assert "hieght_m in [subject] is kept, but not used. Did you mean height_m?" in said
+    assert "weight_kg in [subject] is kept, but not used. Did you mean body_mass_kg?" in said
     assert "[sensor] is kept, but not used. Did you mean sensors?" in said
     assert "height_m in [protocol] is kept, but not used. It belongs in [subject]." in said
-    assert len(notes) == 6
+    assert len(notes) == 7
     write_table(recording, tmp_path / "copy.csv")
     assert_same(recording, read_table(tmp_path / "copy.csv")[0])
 

@@ -360,4 +360,4 @@ def test_a_profile_says_what_its_interval_does_not_hold_for_where_the_spring_is_
     known = next(iter(profiled().values()))
     leaning = replace(known, estimate=replace(known.estimate, if_slack=0.097))
     whole = profile_of(known).title
-    assert profile_of(leaning).title == f"{whole}\nif slack elsewhere: ± 0.097 more"
+    assert profile_of(leaning).title == f"{whole}\nif slack: ± 0.097 more"

@@ -9,6 +9,7 @@ from exoid.files.system_errors import told
 from exoid.files.visible import visible
 
 Notes = tuple[str, ...]
+MEANT = {"weight": "body_mass"}  # what a key is called otherwise
 
 
 @contextmanager
@@ -58,8 +59,11 @@ def misquoted(fault: csv.Error) -> str:
 
 
 def near(name: str, names: Iterable[str], likeness: float = 0.6) -> str:
-    """The known name that an unknown one resembles, as a question."""
+    """The known name that an unknown one resembles, or means, as a question."""
     import difflib  # only a file with a typo pays for it
 
-    alike = difflib.get_close_matches(name.lower(), sorted(names), 1, likeness)
+    known, said = sorted(names), name.lower()
+    meant = MEANT.get(said.partition("_")[0])
+    alike = [each for each in known if meant and each.startswith(meant)]
+    alike = alike or difflib.get_close_matches(said, known, 1, likeness)
     return f" Did you mean {alike[0]}?" if alike else ""

@@ -9,7 +9,15 @@ import jax
 import numpy as np
 
 from exoid.fitting.amount.manageable import TOGETHER, Amount, manageable
-from exoid.fitting.asked import PLAIN_SCALE, classes_of, plainly, readings, with_aside
+from exoid.fitting.asked import (
+    PLAIN_SCALE,
+    Asked,
+    by_name,
+    classes_of,
+    plainly,
+    readings,
+    with_aside,
+)
 from exoid.fitting.data.conditioning import conditioned
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.fitted_samples import Clip
@@ -57,7 +65,7 @@ def fit(
     misfit: Literal["weighted", "paper"] = "weighted",
     clip: Clip = "free",
     at_once: bool = False,
-    terms: Sequence[type[Term] | Term] = (),
+    terms: Asked = (),
     starts: np.ndarray | None = None,
     near: np.ndarray | None = None,
     most: Amount = TOGETHER,
@@ -82,12 +90,11 @@ def fit(
     what was before. Of recordings with more segments and samples than `most` those are fitted that
     tell most, and `set_aside` of the result says what was not.
 
-    `terms` are what Eq. 9 leaves out and this model has: classes of the library
-    (`exoid.physics.library`) or of your own. An instance says where its search begins. Their
-    parameters are fixed, bounded and expected by hand as {"coulomb_friction.level": ...}.
+    `terms` are what Eq. 9 leaves out and this model has: names or classes of the library
+    (`exoid.physics.library`), or classes of your own. An instance says where its search begins.
+    Their parameters are fixed, bounded and expected by hand as {"coulomb_friction.level": ...}.
 
-    >>> from exoid.physics.terms.device.coulomb_friction import CoulombFriction
-    >>> found = exoid.fit("drops.csv", terms=(CoulombFriction,))
+    >>> found = exoid.fit("drops.csv", terms=("coulomb_friction",))
     >>> found.terms["coulomb_friction"]["level"].value < 0.01  # N m
     True
 
@@ -102,6 +109,7 @@ def fit(
     plain = misfit == "paper"
     weight *= PLAIN_SCALE**2 if plain else 1.0
     hand = by_hand(named, fix, bound, expect)
+    terms = by_name(terms)
     classes = classes_of(terms)
     subject = named[0][1].subject
     scale = scale_of(movements) if subject.kind == "rig" else AS_A_LEG

@@ -2,6 +2,7 @@
 
 import inspect
 from dataclasses import fields
+from difflib import get_close_matches
 from functools import cache
 from importlib import import_module
 from pkgutil import walk_packages
@@ -29,6 +30,19 @@ def library() -> tuple[type[Term], ...]:
         for term in terms_of(import_module(each.name))
     ]
     return tuple(sorted(found, key=name_of))
+
+
+def term_named(name: str) -> type[Term]:
+    """The term of the library that is called so.
+
+    **Raises** `ValueError` where none is.
+    """
+    known = {name_of(term): term for term in library()}
+    if name not in known:
+        close = get_close_matches(name, known, 1)
+        hint = f"did you mean {close[0]}?" if close else f"there are {', '.join(known)}."
+        raise ValueError(f"there is no term {name!r}: {hint}")
+    return known[name]
 
 
 def terms_of(module: ModuleType) -> list[type[Term]]:

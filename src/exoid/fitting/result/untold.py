@@ -126,6 +126,7 @@ def without_scale(result: FitResult, why: str) -> FitResult:
         terms={term: of_term(own) for term, own in result.terms.items()},
         segments=[of_segment(each) for each in result.segments],
         torque_amplitude=mean and kept(mean),
+        multistart=replace(result.multistart, family={}),  # which is of one J
     )
 
 

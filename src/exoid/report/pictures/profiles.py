@@ -108,7 +108,7 @@ def title(profile: Profile) -> str:
     unit = "" if each.unit in DIMENSIONLESS else f" {each.unit}"
     value = NOT_DETERMINED if each.value is None else f"{written(each)}{unit}"
     name = "" if profile.name in RATIOS else f"{quantity_words(profile.name)} "
-    more = f"\nif slack elsewhere: {if_slack(each)} more" if each.if_slack else ""
+    more = f"\nif slack: {if_slack(each)} more" if each.if_slack else ""
     return f"{name}`{each.symbol}`\n{value}\n{limits(profile)}{more}"
 
 

@@ -24,7 +24,8 @@ class Estimate:
     upper: float | None = None
     shares: Shares | None = None  # of its precision; None where there is none
     reason: str | None = None  # why there is no value, or no error
-    limited_by: dict[str, float] | None = None  # share of its variance that each systematic makes
+    # by what part its variance would shrink were each systematic known: they need not add up to 1
+    limited_by: dict[str, float] | None = None
     by_hand: Means | None = None  # fixed, bounded or expected by the user
     if_slack: float | None = None  # error more, for a spring slack elsewhere than at full extension
 
