@@ -42,9 +42,10 @@ def thrown(knee, strength, hertz):
 STEP = 2e-4  # s
 
 
-def stretched(knee, start, gain, threshold, delay, rise=0.0, lasting=LASTING):
+def stretched(knee, start, gain, threshold, delay, rise=0.0, lasting=LASTING, slack=0.0):
     """Angle at every millisecond of a leg whose muscle pulls by `gain` [1/s] times how much faster
-    than `threshold` [rad/s] it was stretched `delay` s ago, behind two lags of `rise` s.
+    than `threshold` [rad/s] it was stretched `delay` s ago, behind two lags of `rise` s; its spring
+    is `slack` there [rad].
     """
     every, late = round(1e-3 / STEP), round(delay / STEP)
     share = STEP / max(rise, STEP)
@@ -55,7 +56,7 @@ def stretched(knee, start, gain, threshold, delay, rise=0.0, lasting=LASTING):
         before = rates[number - late] if number >= late else 0.0
         active += share * (gain * max(0.0, -before - threshold) - active)
         pulled += share * (active - pulled)
-        rate += STEP * (knee.pull(angle, rate) + pulled)
+        rate += STEP * (knee.pull(angle, rate) + knee.stiffness * slack + pulled)
         angle += STEP * rate
         if number % every == 0:
             seen.append(angle)

@@ -1,7 +1,8 @@
 """What a piece of missing physics, or an error of a sensor, is: one class, in a file of its own."""
 
 from abc import abstractmethod
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, ClassVar
 
 import equinox as eqx
@@ -67,6 +68,8 @@ class Term(eqx.Module):
     by_whole_drops: ClassVar[bool] = False  # can no sample by itself tell its numbers, but a drop
     period: ClassVar[float] = 0.0  # rad, after which what it shows repeats
     everyday: ClassVar[bool] = False  # does every gyro have some of it
+    # What legs really do may follow another law: by how much a number of another term is off then.
+    law_of: ClassVar[Mapping[str, float]] = MappingProxyType({})
     replaces: ClassVar[str] = ""  # what a fit estimates of every recording and the term is itself
 
     @staticmethod

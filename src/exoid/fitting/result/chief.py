@@ -11,6 +11,7 @@ WORDS = {
     "clock": "the clock",
     "torque_zero": "the torque sensor's zero",
     "torque_gain": "the torque sensor's gain",
+    "reflex_form": "that a reflex may have another form than the term",
     "added_mass": "the weight of the added mass",
     "added_mass_distance": "the distance of the added mass",
     "added_mass_gyration": "the extent of the added mass",

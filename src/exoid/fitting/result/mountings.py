@@ -8,8 +8,8 @@ from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.chief import WORDS
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.estimates.moved import Moved
 from exoid.fitting.result.estimates.owned import FIELDS, MOUNTING, in_no_unit
-from exoid.fitting.result.estimates.torque_zero import off_by
 from exoid.fitting.result.fit_result import MountingFit
 from exoid.fitting.result.remarks.added_mass_remarks import of_added_mass
 from exoid.fitting.solve.problem import Problem
@@ -25,9 +25,9 @@ MISSES = ", which may make up for what the model misses"
 TOLD = 0.7  # of its prior's error: below it the recording has told something
 
 
-def estimate_mountings(basis: Basis, moved: np.ndarray) -> list[MountingFit]:
-    """What every recording owned, where the recording tells more than was known before, the zero of
-    a torque's sensor in its error: it may have `moved` the fit so.
+def estimate_mountings(basis: Basis, moved: Moved) -> list[MountingFit]:
+    """What every recording owned, where the recording tells more than was known before. Its error
+    holds how far the fit may have `moved`.
     """
     problem, point = basis.problem, basis.ended.point
     laid = layout(point)
@@ -37,7 +37,7 @@ def estimate_mountings(basis: Basis, moved: np.ndarray) -> list[MountingFit]:
             return None
         at = int(getattr(laid.places.mounting, field)[entry])
         gradient = laid.units * (np.arange(laid.size) == at)
-        error = float(np.hypot(basis.information.standard_error(gradient), off_by(moved, gradient)))
+        error = float(np.hypot(basis.information.standard_error(gradient), moved.off(gradient)))
         unplaced = any(one.unplaced for one in problem.recordings[entry])
         always = field in OF_THE_GYRO or (field == "log_distance" and unplaced)
         if not (always or error < TOLD * problem.deviation_of(field)[entry]):

@@ -106,9 +106,14 @@ def parameters_of(found: Found, best: Optimum, formula: Formula | None) -> list[
     for term, values in zip(candidate.terms, candidate.values, strict=True):
         owner = FORMULA if formula and term is candidate.terms[-1] else name_of(term)
         for (name, declared), value in zip(declarations(term), values, strict=True):
+            called = f"{owner}.{name}"
             known = bool(told[at]) and declared.lower < value < declared.upper
-            error = float(np.hypot(variance[at] ** 0.5, declared.law * value)) if known else None
-            parameters.append(Parameter(f"{owner}.{name}", float(value), declared.unit, error))
+            off = [
+                declared.law * value,
+                *(each.law_of.get(called, 0.0) for each in candidate.terms),
+            ]
+            error = float(np.linalg.norm([variance[at] ** 0.5, *off])) if known else None
+            parameters.append(Parameter(called, float(value), declared.unit, error))
             at += 1
     return parameters
 

@@ -17,10 +17,10 @@ from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.estimates.gainless import whatever_gain
 from exoid.fitting.result.estimates.information import information_at, leans
+from exoid.fitting.result.estimates.moved import moved
 from exoid.fitting.result.estimates.scale import goes_with_scale, with_reasons
 from exoid.fitting.result.estimates.terms import estimate_terms
 from exoid.fitting.result.estimates.torque import estimate_torque
-from exoid.fitting.result.estimates.torque_zero import moved_by_torque_zero
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.mountings import beyond_belief, estimate_mountings, numbers_at
 from exoid.fitting.result.remarks.limit_remarks import limits_met
@@ -41,8 +41,8 @@ def describe(
     best, leaning = ended.best, leans(problem, ended)
     at_bound = {name for name, hold in zip(problem.constraints, leaning, strict=True) if hold}
     basis = Basis(problem, ended, information_at(problem, ended, leaning))
-    moved = moved_by_torque_zero(problem, ended)
-    leg = of_leg(basis, at_bound, moved)
+    off = moved(problem, ended, basis.information)
+    leg = of_leg(basis, at_bound, off)
     inertia = leg.parameters["inertia"]
 
     def torque(names: list[str]) -> Estimate:
@@ -60,14 +60,14 @@ def describe(
         ratios=leg.ratios,
         torque_amplitude=torque(each_torque) if torques else None,
         segments=segments,
-        mountings=estimate_mountings(basis, moved),
+        mountings=estimate_mountings(basis, off),
         multistart=report(problem, ended, leg.ratios),
         loss=float(best.loss[0]),
         disturbance=ended.disturbance,
         torque_frequency=reading,
         other_reading_rmse=other_rmse,
         prior=problem.belief.note,
-        terms=estimate_terms(basis, at_bound, inertia, moved),
+        terms=estimate_terms(basis, at_bound, inertia, off),
         leg=leg_parameters(ended.point, np),
         thigh_angle=float(problem.movements[0].thigh_angle),
         fitted_terms=with_inertia(ended.point, np),

@@ -10,6 +10,7 @@ from exoid.fitting.result.describing.leg_numbers import DISTANCE, LegNumbers
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.estimates.found import mean_of
+from exoid.fitting.result.estimates.moved import Moved
 from exoid.fitting.result.estimates.parameters import parameter_estimate
 from exoid.fitting.result.estimates.ratios import (
     estimate_ratios,
@@ -17,44 +18,43 @@ from exoid.fitting.result.estimates.ratios import (
     none_of,
 )
 from exoid.fitting.result.estimates.scale import goes_with_mass, goes_with_scale
-from exoid.fitting.result.estimates.torque_zero import off_by
 from exoid.fitting.result.remarks.anatomy_remarks import SWING
 
 
-def of_leg(basis: Basis, at_bound: set[str], moved: np.ndarray) -> LegNumbers:
+def of_leg(basis: Basis, at_bound: set[str], moved: Moved) -> LegNumbers:
     """Ratios and parameters, wider by what the search cannot see: odds, declared values that led
-    it, a slanted seat, a torque's zero that has `moved` it, an added mass that hangs elsewhere.
+    it, a slanted seat, what may have `moved` it, an added mass that hangs elsewhere.
     """
     problem, ended = basis.problem, basis.ended
     plain, elsewhere = estimate_ratios(basis, at_bound), hung_elsewhere(problem, ended)
-    odds, steps, beside = (
-        at_odds(problem, ended),
-        led_astray(problem, ended),
-        slanted(problem, ended),
-    )
-    zeros = {
-        name: off_by(moved, mean_of(basis, problem.quantities_of(name), set()).gradient)
-        for name in plain
-    }
     ratios = {
-        name: each.widened(steps.get(name, 0.0), least=odds.get(name, 0.0))
-        .widened(beside.get(name, 0.0), cause="tilt")
-        .widened(zeros.get(name, 0.0), cause="torque_zero")
-        .widened(elsewhere.get(name, 0.0), cause=DISTANCE)
-        for name, each in plain.items()
+        name: each.widened(elsewhere.get(name, 0.0), cause=DISTANCE)
+        for name, each in widened_ratios(basis, plain, moved).items()
     }
     parameters = {
         name: each.widened(elsewhere[name], cause=DISTANCE)
         for name, each in estimate_leg(basis, ratios, at_bound).items()
     }
-    by_zero = off_by(moved, mean_of(basis, ["inertia"], set()).gradient)
-    inertia = parameters["inertia"].widened(by_zero, cause="torque_zero")
+    inertia = moved.widen(parameters["inertia"], mean_of(basis, ["inertia"], set()).gradient)
     parameters["inertia"] = inertia
     grown = {name: growth(plain[name], each, inertia) for name, each in ratios.items()}
     for name in ("damping", "stiffness"):
         parameters[name] = parameters[name].widened(grown[f"{name}_over_inertia"])
     by_distance = elsewhere["inertia"] * (ratios[SWING].value or 0.0)
     return LegNumbers(ratios, parameters, grown[SWING], by_distance)
+
+
+def widened_ratios(basis: Basis, plain: dict[str, Estimate], moved: Moved) -> dict[str, Estimate]:
+    """The ratios, wider by odds, declared values that led the search, seat, and what `moved` it."""
+    problem, ended = basis.problem, basis.ended
+    odds, steps, beside = (of(problem, ended) for of in (at_odds, led_astray, slanted))
+
+    def wider(name: str, each: Estimate) -> Estimate:
+        gradient = mean_of(basis, problem.quantities_of(name), set()).gradient
+        each = each.widened(steps.get(name, 0.0), least=odds.get(name, 0.0))
+        return moved.widen(each.widened(beside.get(name, 0.0), cause="tilt"), gradient)
+
+    return {name: wider(name, each) for name, each in plain.items()}
 
 
 def estimate_leg(

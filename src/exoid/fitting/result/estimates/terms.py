@@ -2,29 +2,26 @@
 
 from dataclasses import replace
 
-import numpy as np
-
 from exoid.fitting.model.term_parameters import ratio_name, ratio_unit
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.estimates.found import mean_of
+from exoid.fitting.result.estimates.moved import Moved
 from exoid.fitting.result.estimates.parameters import expectation, within
 from exoid.fitting.result.estimates.scale import SCALE_FREE, UNTOLD, goes_with_scale
-from exoid.fitting.result.estimates.torque_zero import off_by
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.term import name_of
 
 
 def estimate_terms(
-    basis: Basis, at_bound: set[str], inertia: Estimate, moved: np.ndarray
+    basis: Basis, at_bound: set[str], inertia: Estimate, moved: Moved
 ) -> dict[str, dict[str, Estimate]]:
     """Every term's parameters; of those that go with J also what motion alone tells. Their errors
-    hold what the zero of a torque's sensor may have `moved`.
+    hold how far the fit may have `moved`.
     """
 
     def off(each: Estimate, name: str) -> Estimate:
-        by_zero = off_by(moved, mean_of(basis, [name], set()).gradient)
-        return each.widened(by_zero, cause="torque_zero")
+        return moved.widen(each, mean_of(basis, [name], set()).gradient)
 
     found: dict[str, dict[str, Estimate]] = {}
     for term in basis.problem.terms:

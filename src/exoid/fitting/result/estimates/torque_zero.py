@@ -38,11 +38,6 @@ def moved_by_torque_zero(problem: Problem, ended: SearchResult) -> np.ndarray:
     return moved * size
 
 
-def off_by(moved: np.ndarray, gradient: np.ndarray) -> float:
-    """How far a quantity of this gradient is off where the fit has `moved` so."""
-    return float(np.linalg.norm(gradient @ moved))
-
-
 def variance_left(crossed: np.ndarray, moved: np.ndarray, square: np.ndarray) -> np.ndarray:
     """Of every zero, its variance over the one that it is declared with: all of it where the fit
     takes its response for something else, of which rounding may leave less than nothing.

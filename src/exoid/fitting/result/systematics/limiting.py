@@ -24,6 +24,7 @@ ADVICE = {
     "torque_zero": "take off what it reads with nothing on it, say how well that is known "
     "(torque_zero_uncertainty_nm), or record drops beside it, its motor taken off",
     "torque_gain": "compare it with a known weight on a lever and give torque_gain_uncertainty",
+    "reflex_form": "record drops that are too slow to trip it, and fit them alone",
     "added_mass": "weigh the added mass to 0.1 % and give added_mass_uncertainty_kg",
     "added_mass_distance": "measure where it sits and give added_mass_distance_uncertainty_m",
     "added_mass_gyration": "give added_mass_gyration_m, or use a compact weight",
