@@ -16,14 +16,19 @@ from exoid.fitting.misfit.neighbourhood import prior_information, pull_of_belief
 from exoid.fitting.misfit.uncertainty import decomposed, inverse_times
 from exoid.fitting.model.coordinates import Coordinates, flattened, layout, unflattened
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.result.remarks.zero.leaning import BENT, CONSTANT, LEANING, Leaning
+from exoid.fitting.result.remarks.zero.leaning import (
+    BENT,
+    CONSTANT,
+    LEANING,
+    STIFFER,
+    Leaning,
+)
 from exoid.fitting.solve.ask import grams_at
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.term import name_of
 
 TOLD = np.radians(5.0)  # error of the rest angle below which a fit by itself shows one of BENT
 FELT, WORTH = 2.0, 0.01  # errors, and share, of a ratio left open where the rest angle is told
-STIFFER = 2.0  # times as stiff as by the fit that a remark takes the leg for, at most
 REACH, STEPS = 6.0, 20_001  # errors of the torque, beyond which none is likely; so many are tried
 Numbers = Callable[[Coordinates], dict[str, float]]  # of a result, at a point
 
@@ -73,7 +78,7 @@ def bent(found: Leaning) -> str:
         f"{abs(one):.2g} 1/s^2 {'higher' if one > 0 else 'lower'}"
         for one in found.of_ratios.tolist()
     )
-    where = f"{np.degrees(BENT):.0f} deg of flexion"
+    where = f"phi_r = {-np.degrees(BENT):.0f} deg, in flexion,"
     return f"of a leg whose spring is slack at {where} m l g / J is {first}, c / J {second}"
 
 
@@ -94,11 +99,12 @@ def pushed(found: Leaning) -> str:
 
 def seen(found: Leaning) -> str:
     """Where the recording shows it slack, and how far off the ratios may be for that."""
-    angle, error = -np.degrees(found.seen), np.degrees(found.told)
+    angle, error = np.degrees(found.rest_angle)
     gravity, stiffness = (found.spread[name] for name in LEANING)
     return (
-        f"by this recording it is slack at {angle:.2g} ± {error:.2g} deg of flexion, which leaves "
-        f"m l g / J open by ± {gravity:.2g} 1/s^2, c / J by ± {stiffness:.2g} 1/s^2"
+        f"by this recording it is slack at phi_r = {angle:.2g} ± {error:.2g} deg (extension is "
+        f"positive), which leaves m l g / J open by ± {gravity:.2g} 1/s^2, c / J by "
+        f"± {stiffness:.2g} 1/s^2"
     )
 
 
@@ -121,6 +127,7 @@ def leaning(
         usual=usual,
         seen=found / stiffness,
         told=error / stiffness,
+        softer=spring,
         shown=bool(error / stiffness < TOLD) and ended.disturbance.cause is None,
         push=found / float(ended.point.shared.gravity),
     )
