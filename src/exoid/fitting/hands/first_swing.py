@@ -41,11 +41,23 @@ class FirstSwing:
 
 def bottom(each: Movement) -> int:
     """The sample at which a drop first turns around; 0 where too few turns follow."""
+    return turn_of(each, 0)
+
+
+def swung_back(each: Movement) -> int:
+    """The sample at which it turns again, where the muscle that a fast leg trips is slack; that of
+    its first turn where too few follow.
+    """
+    return turn_of(each, 1) or bottom(each)
+
+
+def turn_of(each: Movement, number: int) -> int:
+    """The sample of this turn of a drop; 0 where too few follow."""
     if each.extent is None or each.kind != "passive":
         return 0
     smooth, _ = smoothed_motion(each, GUIDE_WIDTH)
     clear = CLEAR * each.angle_noise
-    turns = reversals(smooth, max(SWAY, clear))
+    turns = reversals(smooth, max(SWAY, clear))[number:]
     if not turns or len(reversals(smooth[turns[0] :], max(TRAVEL, clear))) < TURNS:
         return 0
     return turns[0]

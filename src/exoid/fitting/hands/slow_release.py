@@ -1,8 +1,9 @@
 """A drop that something keeps back in its first swing: from when on did the leg swing by itself?
 
 In its fall alone such a leg is hardly told from another leg. But no hand that lets go turns a leg
-around at the bottom: from there on it swings freely, and often since it was fastest. A reflex that
-only a fast leg trips is over by then, too.
+around at the bottom: from there on it swings freely, and often since it was fastest. A muscle that
+only a fast leg trips pulls on behind the bottom, by less than a noisy angle shows, and is slack as
+the leg has swung back.
 """
 
 from collections.abc import Callable
@@ -12,7 +13,7 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.hands.first_instants import differ
-from exoid.fitting.hands.first_swing import bottom, fastest, kept_back_by
+from exoid.fitting.hands.first_swing import bottom, fastest, kept_back_by, swung_back
 from exoid.fitting.hands.kept_back import KEEPING, NEXT, names, unlike, what
 from exoid.fitting.hands.last_instants import LOUD, Fitted, misses
 from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
@@ -21,7 +22,7 @@ from exoid.recordings.motion.signal import Signal
 from exoid.recordings.signal.condition import cut
 
 NONE = "No leg falls like this that swings as it does afterwards. "
-Instant = Callable[[Movement], int]
+TRIPPED = {"speed", "unknown"}  # what keeps a leg back by a muscle that may pull on for a while
 
 
 def without_slow_release(
@@ -40,18 +41,21 @@ def without_slow_release(
     movements = whole[0].movements
     if (bent and missed(whole).cause != "torque") or not any(map(bottom, movements)):
         return None
-    for instant in (fastest, bottom):
+    free = None
+    for instant in (fastest, bottom, swung_back):
         later = [begun(each, instant(each)) for each in movements]
         found = fit(later)
         if not swings_freely(found) or not follows(found):
             continue
         if not bent or differ(movements, whole[1], later, found[1]):
             by = kept_back_by(movements, *found)
-            return [
+            free = [
                 replace(each, kept_back=own) if each.slow else each
                 for each, own in zip(later, by, strict=True)
             ]
-    return None
+            if not TRIPPED & {*by}:
+                break
+    return free
 
 
 def missed(found: Fitted) -> Missed:

@@ -6,7 +6,8 @@ import numpy as np
 
 from exoid.fitting.result.segment_fit import SegmentFit
 
-TURNING = 0.5  # of a segment's greatest speed, below which it begins at its turn
+TURNING = 0.5  # of a segment's greatest speed, below which it begins at a turn
+TO_BACK = "the first swing, to and fro"
 TO_TURN = "the first flexion, half a swing"
 TO_FASTEST = "the first flexion up to its greatest speed, a quarter of a swing"
 
@@ -29,11 +30,15 @@ def first_flexions(segments: Sequence[SegmentFit]) -> str:
     if not short:
         return ""
     names, longest = ", ".join(each.name for each in short), max(each.left_out for each in short)
-    part = TO_TURN if all(map(begins_at_turn, short)) else TO_FASTEST
-    return f"the first {longest:.2f} s behind the release of segment {names} ({part})"
+    parts = {part(each) for each in short}
+    least = next(one for one in (TO_FASTEST, TO_TURN, TO_BACK) if one in parts)
+    return f"the first {longest:.2f} s behind the release of segment {names} ({least})"
 
 
-def begins_at_turn(each: SegmentFit) -> bool:
-    """Is it slow at its first sample?"""
+def part(each: SegmentFit) -> str:
+    """Up to where it was left out: it is fast at first, or turns up or down there."""
     speed = np.abs(each.simulated_velocity)
-    return bool(speed[0] < TURNING * np.nanmax(speed))
+    fast = int(np.argmax(speed >= TURNING * np.nanmax(speed)))
+    if fast == 0:
+        return TO_FASTEST
+    return TO_TURN if each.simulated_velocity[fast] > 0 else TO_BACK
