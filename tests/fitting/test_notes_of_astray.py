@@ -19,6 +19,7 @@ from exoid.fitting.result.refused.notes import (
 from exoid.fitting.result.refused.own_swing import own_swing
 from exoid.fitting.result.refused.without_numbers import REFUSED, without_numbers
 from exoid.recordings.declared.protocol import Protocol
+from exoid.recordings.declared.sensors import Sensors
 from exoid.recordings.declared.subject import Subject
 from exoid.recordings.measured.segment import Segment
 from fit_cases import BODY, DROP, recorded
@@ -81,6 +82,20 @@ def test_a_leg_that_is_drawn_back_too_slowly_is_asked_for_its_times_and_its_body
     (told,) = [each for each in slow().notes if "by its swing alone" in each]
     assert "body mass, height and age" in told
     assert "sampling rate" not in told
+
+
+def test_of_a_spring_that_is_slack_in_flexion_it_says_where():
+    """A knee as others: Riener & Edrich have its spring slack at 61 deg of flexion."""
+    knee, noise = (28.4, 11.5, 0.96), (3.5e-4, 2e-3)
+    made = [drop(knee, at, slack=np.radians(-35.0), noise=noise) for at in (-0.2, -0.5, -0.8)]
+    sensors = Sensors(angle_noise=noise[0], velocity_noise=noise[1])
+    result = fit(recording(*made, sensors=sensors), multistart=4)
+    assert not result.follows
+    assert "the spring is slack elsewhere" in result.notes[0]
+    (said,) = [each for each in result.notes if "slack at about" in each]
+    found = float(said.partition("phi_r = ")[2].partition(" ")[0])
+    assert found == pytest.approx(-35.0, abs=5.0)
+    assert not [each for each in slow().notes if "slack at about" in each]
 
 
 def test_cycles_are_refused_for_their_torque_alone():

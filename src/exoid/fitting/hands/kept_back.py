@@ -18,12 +18,12 @@ AS: dict[KeptBack, str] = {
     "neither": "though no energy of its fall is missing that a hand which lets go slowly, or a "
     "muscle, would take: as where it is pushed, or a hand moves as it lets go, or as by an angle "
     "sensor that is not linear (a goniometer, an encoder off its axis, a camera), or a spring that "
-    "grows stiffer, which both show in the largest swing",
+    "grows stiffer or is slack in flexion, which show in the largest swing",
     "thrust": "as where it is pushed, a hand moves as it lets go, or a muscle twitches, but by no "
     "angle sensor and no spring: it passes the same angles in other swings without that",
     "thrust or spring": "as where it is pushed, a hand moves as it lets go, or a muscle twitches, "
-    "or by a spring that grows stiffer where only the largest swing comes, but by no angle sensor: "
-    "the gyro agrees with it",
+    "or by a spring that is slack in flexion, or grows stiffer where only the largest swing comes, "
+    "but by no angle sensor: the gyro agrees with it",
     "unknown": "by what may be a stretch reflex (spasticity), or a hand that lets go slowly or "
     "moves as it lets go: this recording cannot tell which",
 }

@@ -35,10 +35,12 @@ def without_slow_release(
     """The drops from when on they were free; None where what is left does not fit either, or no
     fall needs a hand.
 
-    `follows` says whether a fit follows its recording. Where the fit of all does, a hand may have
-    `bent` the leg that it found: then the falls must miss more than the swings do.
+    `follows` says whether a fit follows its recording. Where the fit of all does, or is refused
+    though it misses nothing, a hand may have `bent` the leg that it found: then the falls must miss
+    more than the swings do.
     """
     movements = whole[0].movements
+    bent = bent or not is_held(whole[1].disturbance)
     if (bent and missed(whole).cause != "torque") or not any(map(bottom, movements)):
         return None
     free = None

@@ -18,8 +18,8 @@ STEP = 1e-6  # of a coordinate, for the slope of what is told
 BEYOND = 8.0  # standard deviations of what is declared, from which on nobody believes it
 LIKE_REST = (
     ", as it does where the thigh is tilted otherwise than is declared (thigh_angle_deg, 0 where "
-    "nothing is said), where dry friction lets a leg come to rest beside its middle, or where the "
-    "encoder or the gyro drifts"
+    "nothing is said), where the spring is slack elsewhere than at full extension, where dry "
+    "friction lets a leg come to rest beside its middle, or where the encoder or the gyro drifts"
 )
 MISSES = ", which may make up for what the model misses"
 TOLD = 0.7  # of its prior's error: below it the recording has told something

@@ -29,7 +29,7 @@ def notes(
     """
     problem = basis.problem
     if result.astray is not None:
-        said = of_refused(result.astray, problem, basis.ended)
+        said = of_refused(result.astray, basis)
     else:
         said = of_a_fit(result, basis, at_bound, rate, slack)
     return [of_rig(each) for each in said] if problem.belief.rig else said

@@ -24,6 +24,7 @@ class Leaning:
     softer: float  # 1/rad, what that torque makes the fit's c / J stiffer by than the leg's
     shown: bool  # is that clear, beside all else that is missing?
     push: float = 0.0  # the constant torque that makes it, over m l g
+    share: float = 0.0  # of the squares that are missed or made up for, what it would take away
 
     @property
     def rest_angle(self) -> tuple[float, float]:

@@ -15,6 +15,7 @@ import numpy as np
 from exoid.fitting.misfit.neighbourhood import prior_information, pull_of_belief
 from exoid.fitting.misfit.uncertainty import decomposed, inverse_times
 from exoid.fitting.model.coordinates import Coordinates, flattened, layout, unflattened
+from exoid.fitting.model.prior import mounting_residual
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.remarks.zero.leaning import (
     BENT,
@@ -29,6 +30,10 @@ from exoid.physics.term import name_of
 
 TOLD = np.radians(5.0)  # error of the rest angle below which a fit by itself shows one of BENT
 FELT, WORTH = 2.0, 0.01  # errors, and share, of a ratio left open where the rest angle is told
+# Of the squares `beyond_noise`, what the torque of a slack spring takes away to first order:
+# 0.88 to 1.02 of it where one is, up to 1.01 beside a cubic spring, 0.71 at most beside a
+# stiffening end, 0.18 beside friction, drag, a reflex or a drift.
+SLACK = (0.8, 1.2)
 REACH, STEPS = 6.0, 20_001  # errors of the torque, beyond which none is likely; so many are tried
 Numbers = Callable[[Coordinates], dict[str, float]]  # of a result, at a point
 
@@ -69,6 +74,19 @@ def slack_angle_remarks(found: Leaning | None) -> list[str]:
         "extended hold for a spring that is slack at full extension (Eq. 9), and 'if slack' beside "
         f"± tells how well for others: {where}. 'exoid diagnose' asks where it is slack; the "
         "hanging angle without and with a known mass tells best."
+    ]
+
+
+def of_missed(found: Leaning | None) -> list[str]:
+    """That what a fit misses which does not follow its recording is as of a slack spring."""
+    if found is None or not SLACK[0] < found.share < SLACK[1]:
+        return []
+    angle = np.degrees(found.rest_angle[0])
+    return [
+        "what it misses, or makes up for by zero and tilt, is as of a spring that is slack at "
+        f"about phi_r = {angle:.2g} deg (extension is positive), not at 0, as Eq. 9 has it, or "
+        "that grows stiffer: 'exoid fit --with stiffness_rest_angle' asks for the one, 'exoid "
+        "diagnose' for both."
     ]
 
 
@@ -130,7 +148,17 @@ def leaning(
         softer=spring,
         shown=bool(error / stiffness < TOLD) and ended.disturbance.cause is None,
         push=found / float(ended.point.shared.gravity),
+        share=found**2 * left * ended.disturbance.scale**2 / beyond_noise(problem, ended),
     )
+
+
+def beyond_noise(problem: Problem, ended: SearchResult) -> float:
+    """The squares that a fit misses beyond the noise, and those of what it takes recordings to own
+    instead, over what is usual; at least those of one reading.
+    """
+    owned = mounting_residual(ended.held or problem.belief.prior, ended.point.mounting, np)
+    missed = float(ended.best.misfit[0]) - float(problem.samples.sum())
+    return max(missed, 0.0) + max(float(owned @ owned), 1.0)
 
 
 def likely(stiffness: float, spring: float, shown: float, error: float) -> float:
