@@ -1,6 +1,6 @@
 """What is taken for granted of sensors and seat where nobody declares it."""
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 
 import numpy as np
 
@@ -27,6 +27,11 @@ AMISS = (
     " Times by a camera or a node without a crystal may be percents off: d / J goes with them, "
     "m l g / J and c / J with their square (clock_uncertainty)."
 )
+ASKEW = (
+    " A camera that looks 10 deg off square at the plane in which the leg swings makes d / J about "
+    "0.5 % too high, c / J 3 to 8 %, one that is 20 deg off four times as much, which an angle "
+    "alone hardly shows."
+)
 BY_A_FOOT = (
     f"in one leg of two {np.degrees(SLANT):.2g} deg, for its foot puts the centre of mass beside "
     "the shank's line"
@@ -51,8 +56,14 @@ def granted(problem: Problem, doubted: Collection[str] = ()) -> list[str]:
     weighed = BY_SCALE if any("added mass" in each for each in said) else ""
     return [
         f"± takes for granted, where no sidecar says better or worse: {', '.join(said)} (one "
-        f"standard deviation).{AMISS if said[-1].startswith('times') else ''}{weighed}"
+        f"standard deviation).{AMISS if said[-1].startswith('times') else ''}"
+        f"{'' if problem.belief.rig else of_a_camera(problem.movements)}{weighed}"
     ]
+
+
+def of_a_camera(movements: Sequence[Movement]) -> str:
+    """What an angle that is seen askew makes of the ratios; nothing where a gyro would show it."""
+    return "" if any(one.angular_velocity is not None for one in movements) else ASKEW
 
 
 def applies(name: str, one: Movement) -> bool:
