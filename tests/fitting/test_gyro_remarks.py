@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 from scipy.signal import butter, lfilter
 
 from exoid.fitting.data.segment import movement
@@ -21,6 +22,7 @@ from exoid.recordings.measured.segment import Segment
 from exoid.recordings.recording import Recording
 from hands import ADULT, Device, Hand, dropped
 from legs import fall
+from legs import recording as of_an_adult
 
 MIDDLE, SIZE, DECAY, RATE = -1.3, 0.9, 0.4, 5.5  # rad, rad, 1/s, rad/s
 
@@ -159,3 +161,34 @@ def test_a_fit_that_a_slow_filter_of_the_gyro_spoils_says_what_mends_it(corner):
         found = mended.ratios[f"{name}_over_inertia"]
         assert abs(found.value - getattr(ADULT, name)) < 3 * found.standard_error
         assert found.standard_error < 0.1 * getattr(ADULT, name)
+
+
+def rubbed(start: float, late: float, seed: int) -> Segment:
+    """A drop with dry friction of 0.4 rad/s^2 over J, the gyro `late` [s]."""
+
+    def slope(_, state):
+        angle, speed = state
+        pull = 27.5 * np.cos(angle) + 6.0 * angle + 0.8 * speed + 0.4 * np.tanh(speed / 3e-3)
+        return speed, -pull
+
+    time, random = np.arange(0.0, 5.0, 0.01), np.random.default_rng(seed)
+    made = solve_ivp(
+        slope, (0.0, 5.0), (start, 0.0), "Radau", dense_output=True, rtol=1e-6, atol=1e-8
+    ).sol
+    return Segment(
+        time,
+        raw_angle=made(time)[0] + 8e-4 * random.standard_normal(time.size),
+        raw_angular_velocity=made(np.maximum(time - late, 0.0))[1]
+        + 3e-3 * random.standard_normal(time.size),
+    )
+
+
+@pytest.mark.parametrize("late", [0.0, 0.006])
+def test_a_late_gyro_is_told_beside_a_torque_that_the_model_lacks(late):
+    starts = (-0.15, -0.6)
+    drops = [rubbed(start, late, seed) for seed, start in enumerate(starts)]
+    notes = fit(of_an_adult(*drops), multistart=2).notes
+    assert any("an unknown torque of about" in each for each in notes)
+    told = [each for each in notes if "the gyro shows the leg about" in each]
+    assert len(told) == (late > 0)
+    assert all("--with sensor_skew" in each for each in told)

@@ -189,6 +189,8 @@ def test_what_may_be_behind_it_is_what_was_recorded():
     assert "Eq. 10" not in drops + rig
     assert "a hand" in drops
     assert "dry friction" in rig
+    assert "--with quadratic_drag" in rig
+    assert "dry friction" in of_causes({"measured"}, rig=True)
     both = of_causes({"active", "measured"}, rig=False)
     assert "Eq. 10" in both
     assert "let go" not in both

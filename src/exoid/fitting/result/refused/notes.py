@@ -54,14 +54,18 @@ LET_GO = (
 )
 RIG = (
     "of a rig that was let go: dry friction ('exoid fit --with coulomb_friction'), a stop, a "
-    "cable, a spring that is not linear, a hand that stays at it, a mass that is not declared"
+    "cable, drag that grows faster than speed, as of a paddle (--with quadratic_drag), a spring "
+    "that is not linear, a hand that stays at it, a mass that is not declared"
 )
 OVER = (
     "it goes over the top {count} times, where the least difference grows, and no simulation of "
     "{length:.0f} s follows it. Record it below, or where it turns on and on, or number its pieces "
     "in a column segment."
 )
-DRIVEN = "of a torque that was measured: its sign, its unit, and that it is not late"
+DRIVEN = (
+    "of a torque that was measured: its sign, its unit, that it is not late, and dry friction of "
+    "motor, gear or hinge ('exoid fit --with coulomb_friction')"
+)
 
 
 def of_refused(why: str, basis: Basis) -> list[str]:

@@ -60,11 +60,11 @@ def remarks(
     said += of_kinds(ended.disturbance)
     unit = np.mean([each.residual_unit / each.angle_noise for each in problem.movements])
     within = float(ended.best.misfit[0]) * unit**2 < problem.samples.sum()
-    sensors = ended.disturbance.cause == "encoder"
-    asked = sensors and not models_lateness(problem)
-    late = of_late_gyro(problem.movements) if asked else []
-    quiet = swung and ended.disturbance.cause is None
-    if not late and not quiet and not (within and sensors):  # smoothed errors, which are told
+    cause = ended.disturbance.cause
+    late = [] if cause is None or models_lateness(problem) else of_late_gyro(problem.movements)
+    quiet = swung and cause is None
+    of_sensors = cause == "encoder" and (within or late)  # smoothed errors, which are told
+    if not of_sensors and not quiet:
         said += of_residual(ended.disturbance, gravity, inertia, float(unit))
     said += late
     if rig and "stiffness" not in problem.absent:
