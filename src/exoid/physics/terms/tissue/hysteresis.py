@@ -10,7 +10,11 @@ SHARPEST = 0.009  # rad, yield angle below which it is dry friction whose contac
 
 
 class Hysteresis(PhysicsTerm):
-    """tau = -F z,  z' = (phi' - (|phi'| z + phi' |z|) / 2) / phi_y."""
+    """tau = -F z,  z' = (phi' - (|phi'| z + phi' |z|) / 2) / phi_y.
+
+    Of nine joints that yield by Dahl's law instead, with an exponent of 1/2 or 1, the level comes
+    out to 1.3 % (root mean square), and the yield angle a fifth to a quarter too small.
+    """
 
     title = "hysteresis (short-range stiffness, Bouc-Wen)"
     reference = "Wen, J Eng Mech Div 102(2), 1976; De Groote et al., PLoS ONE, 2018"
@@ -24,8 +28,10 @@ class Hysteresis(PhysicsTerm):
     lasting = True
     substeps = 4
 
-    level: Parameter = parameter("F", "N m", 0.0, 50.0, "torque after yielding", (0.1,))
-    yield_angle: Parameter = parameter("phi_y", "rad", 0.004, 0.6, "yield angle", (0.03, 0.15))
+    level: Parameter = parameter("F", "N m", 0.0, 50.0, "torque after yielding", (0.1,), law=0.015)
+    yield_angle: Parameter = parameter(
+        "phi_y", "rad", 0.004, 0.6, "yield angle", (0.03, 0.15), law=0.25
+    )
 
     def includes(self) -> str:
         return "coulomb_friction" if self.yield_angle < SHARPEST else ""
