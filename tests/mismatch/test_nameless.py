@@ -14,13 +14,14 @@ from exoid.mismatch.answer.diagnosis import Suspect
 from exoid.mismatch.conclude.asserted import certain_of, same_cause
 from exoid.mismatch.conclude.verdict.undecided import undecided
 from exoid.mismatch.missing_physics import diagnose
-from exoid.mismatch.novel.nameless import NAMELESS, SaturatingDamping
-from exoid.mismatch.stand_in import with_nameless
+from exoid.mismatch.novel.nameless import NAMELESS, FadingTorque, SaturatingDamping
+from exoid.mismatch.stand_in import leading, with_nameless
 from exoid.physics.library import library
 from exoid.physics.parameter import parameter
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.term import PhysicsTerm, name_of
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
+from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
 from hands import Device, Hand, Knee, dropped
 
 POTENTIOMETER = Device(rate=100.0, noise=2.5e-3, gyro=None)
@@ -81,6 +82,25 @@ def test_where_one_explains_as_much_the_reason_says_that_it_has_no_name():
     assert certain_of(found, best) == ()
     (why,) = undecided(found, [best, rival])
     assert why.startswith("saturating damping, a simple torque that the library does not name")
+
+
+def test_the_numbers_are_those_of_the_set_that_refutes_another_though_a_part_has_no_name():
+    named = explaining(2.3 * SAMPLES, CoulombFriction, MaxwellElement)
+    better = explaining(1.4 * SAMPLES, CoulombFriction, FadingTorque)
+    found = found_of([], [named, better])
+    assert leading(found, named) is better
+    assert certain_of(found, better) == (CoulombFriction,)
+
+
+def test_what_has_a_name_stays_where_it_is_as_good_or_all_that_has_one():
+    """What both leave over the noise may tell 0.1 of it apart; beside nothing certain a torque
+    without a name says nothing of the leg.
+    """
+    named = explaining(1.5 * SAMPLES, CoulombFriction, MaxwellElement)
+    alike = explaining(1.4 * SAMPLES, CoulombFriction, FadingTorque)
+    assert leading(found_of([], [named, alike]), named) is named
+    lone, other = explaining(2.3 * SAMPLES, CoulombFriction), explaining(SAMPLES, FadingTorque)
+    assert leading(found_of([lone, other]), lone) is lone
 
 
 def test_all_of_them_are_tried_where_more_than_noise_is_left(monkeypatch):

@@ -1,5 +1,7 @@
 """A model that holds a formula comes back, though no class of that formula is in exoid."""
 
+import subprocess
+import sys
 from dataclasses import replace
 from typing import Any
 
@@ -62,3 +64,14 @@ def test_a_leg_with_the_formula_of_a_saved_model_moves_alike(tmp_path):
 def test_a_class_that_spells_no_formula_is_refused():
     with pytest.raises(DocumentError, match="holds the class Formula, which exoid does not have"):
         class_of({"class": "Formula"}, [Term], ())
+
+
+def test_a_torque_without_a_name_is_known_again_where_nobody_diagnoses():
+    """As the numbers of a leg may be those beside a torque that fades."""
+    asked = (
+        "from exoid.physics.term import Term\n"
+        "from exoid.report.saved.annotation import class_called\n"
+        "print(class_called('FadingTorque', (Term,), ()).title)"
+    )
+    told = subprocess.run([sys.executable, "-c", asked], capture_output=True, text=True, check=True)
+    assert told.stdout.strip() == "a torque that fades after the release"

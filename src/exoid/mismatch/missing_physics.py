@@ -31,7 +31,7 @@ from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.challenge import challenged, with_hidden
 from exoid.mismatch.search.found import Found, causes, names, size
 from exoid.mismatch.search.search import look
-from exoid.mismatch.stand_in import with_nameless
+from exoid.mismatch.stand_in import leading, with_nameless
 from exoid.mismatch.with_model import with_model
 from exoid.physics.term import SensorTerm, Term
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
@@ -118,6 +118,8 @@ def asked(
     if formula is None and chosen.best is not found.base:
         told("trying simple torques without a name")
         found = with_nameless(found, chosen.best)
+        if (led := leading(found, chosen.best)) is not chosen.best:
+            chosen = replace(chosen, best=led, after=predict(found.prepared, led))
     told("locating the mismatch")
     location = locate(found.prepared, found.begin, chosen.best)
     return concluded(result, found, chosen, formula, location, seed)

@@ -3,12 +3,13 @@
 from dataclasses import replace
 
 from exoid.fitting.solve.cores.side_by_side import side_by_side
+from exoid.mismatch.conclude.asserted import certain_of
 from exoid.mismatch.novel.nameless import NAMELESS
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.search.found import Found
 from exoid.mismatch.search.glance import beside_free
-from exoid.mismatch.search.rank import by_evidence
+from exoid.mismatch.search.rank import alike, by_evidence
 from exoid.physics.library import library
 from exoid.physics.term import SensorTerm, name_of
 
@@ -41,6 +42,17 @@ def with_nameless(found: Found, best: Optimum) -> Found:
         )
     )
     return replace(found, singles=singles, pairs=pairs)
+
+
+def leading(found: Found, best: Optimum) -> Optimum:
+    """The best, or a set that has a torque without a name beside a cause that is certain, and
+    refutes the best: the leg's numbers are those of what explains most.
+    """
+    top = max((best, *found.singles, *found.pairs), key=found.evidence)
+    nameless = not NAMELESS.isdisjoint(top.candidate.terms)
+    if not nameless or alike(best, top, found.yardstick):
+        return best
+    return top if certain_of(found, top) else best
 
 
 def settled(found: Found, candidate: Hypothesis) -> Optimum:

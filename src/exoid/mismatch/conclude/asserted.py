@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from exoid.mismatch.evidence.yardstick import FOLLOWED
+from exoid.mismatch.novel.nameless import NAMELESS
 from exoid.mismatch.screen.effect import named
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, blurred, causes, size
@@ -58,11 +59,13 @@ def only_inside(cause: type[Term], certain: list[type[Term]], every: Sequence[Op
 
 def certain_of(found: Found, best: Optimum) -> tuple[type[Term], ...]:
     """The causes that are certain. Where more than noise is left, the last cause may only take up
-    what nobody knows: then also what is best without one of them must have them.
+    what nobody knows: then also what is best without one of them must have them. What the library
+    does not name is none.
     """
     fewer = [] if found.yardstick.explains(best.square) else with_one_less(found, best)
     certain, most = asserted(best, [*equivalents(found, best), *fewer]), stand_ins(found, best)
-    return tuple(one for one in certain if not any(same_cause(one, term) for term in most))
+    named = (one for one in certain if one not in NAMELESS)
+    return tuple(one for one in named if not any(same_cause(one, term) for term in most))
 
 
 def stand_ins(found: Found, best: Optimum) -> dict[type[Term], str]:

@@ -118,10 +118,11 @@ def class_called(name: str, bases: Sequence[Any], own: Sequence[type]) -> type |
 
 
 def family(of: type) -> Iterator[type]:
-    """A class of exoid and those below it; of a term, all of the library."""
+    """A class of exoid and those below it; of a term, all that a diagnosis may have."""
     from exoid.physics.term import Term
 
     if issubclass(of, Term):
+        import exoid.mismatch.novel.nameless  # noqa: F401
         from exoid.physics.library import library
 
         library()

@@ -4,6 +4,7 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.mismatch.answer.diagnosis import Booked, Diagnosis
 from exoid.mismatch.answer.over_inertia import OVER
+from exoid.mismatch.novel.nameless import NAMELESS
 from exoid.physics.term import name_of
 from exoid.recordings.tables.sheet import listed
 from exoid.report.words.text import in_words, quantity_words
@@ -34,11 +35,12 @@ def beside(found: Diagnosis) -> list[str]:
     if found.formula is not None:
         return [BESIDE]
     terms = [] if found.after is None else map(type, found.after.fitted_terms)
+    nameless = set(map(name_of, NAMELESS))
     maybe = [
         in_words(name)
         for name in map(name_of, terms)
         if name not in found.selected
-        and any(name not in each.split(" + ") for each in found.equivalent)
+        and (name in nameless or any(name not in each.split(" + ") for each in found.equivalent))
     ]
     if not maybe:
         return []
