@@ -14,6 +14,7 @@ from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.remarks.remarks import ASK_DIAGNOSE
 from exoid.mismatch.answer.diagnosis import Booked, Finding, NovelTorque, Parameter, Suspect
+from exoid.mismatch.novel.nameless import FadingTorque
 from exoid.mismatch.sensors.agreement import OwnValue, SensorError
 from exoid.physics.sensing.clock_rate import ClockRate
 from exoid.physics.sensing.gyro_scale import GyroScale
@@ -22,6 +23,7 @@ from exoid.report.tables.diagnosis import print_diagnosis, suspects
 from exoid.report.words.astray import astray
 from exoid.report.words.diagnosis.asserted import ran_free
 from exoid.report.words.diagnosis.cause import parameter
+from exoid.report.words.diagnosis.certainty import others
 from exoid.report.words.diagnosis.leg import beside
 from exoid.report.words.diagnosis.remainder import remains
 from exoid.report.words.diagnosis.sentences import sentences
@@ -130,6 +132,11 @@ def test_a_cause_that_the_fit_has_and_nobody_claims_is_said_to_be_uncertain():
     (said,) = beside(fitted)
     assert said.startswith("Not certain: gyro scale.")
     assert beside(replace(fitted, equivalent=both[:1])) == beside(one) == []
+    fades: Any = FadingTorque
+    nameless = replace(one.fit, fitted_terms=(fades(jnp.asarray(0.3), jnp.asarray(0.4)), terms[1]))
+    lone = replace(one, after=nameless, equivalent=["coulomb_friction + fading_torque"])
+    assert beside(lone)[0].startswith("Not certain: fading torque.")
+    assert "besides it perhaps fading torque" in others(lone)[0]
 
 
 def test_where_nobody_can_tell_suspects_are_those_of_the_table_and_what_remains_is_with_one():
@@ -374,6 +381,19 @@ def test_a_formula_is_over_an_inertia_that_nobody_knows():
     guess = replace(one, before=with_inertia(UNTOLD).before)
     assert "tau / J = 0.4 sin(8 x) rad/s^2 (x in rad, v in rad/s)" in sentences(guess)["Missing"]
     assert "tau = 0.2 sin(8 x) N m (x in rad, v in rad/s; for J" in sentences(one)["Missing"]
+
+
+def test_what_acts_once_in_each_segment_may_go_with_a_place_or_with_a_moment():
+    """As a catch in spasticity: the leg comes to its angle a little later in the larger drops."""
+    kick = NovelTorque("tau = 7.7 kick(t, 0.41 s, 0.053 s) N m", 0.96, 0.0, (0.31, 0.52))
+    novel_one = replace(novel(), formula=kick)
+    place = novel_one.location
+    lone = replace(novel_one, location=replace(place, missing=place.missing[:1]))
+    assert "once, from 0.31 to 0.52 s" in sentences(lone)["Missing"]
+    several = replace(lone, location=replace(place, missing=place.missing[:1] * 3))
+    said = sentences(several)["Missing"]
+    assert "once in each segment, from 0.31 to 0.52 s" in said
+    assert "when the leg first passes a place" in said
 
 
 def test_a_notebook_shows_a_torque_over_an_inertia_that_nobody_knows():

@@ -62,7 +62,7 @@ class NovelTorque:
     words: str
     explained: Annotated[float, "1"]  # share of the missing torque's variance
     known: Annotated[float, "1"]  # share of it that is in the library already
-    # From when to when nearly all of it acts, where a lone segment has it once: place or moment?
+    # From when to when nearly all of it acts, where every segment has it once: place or moment?
     once: Annotated[tuple[float, float] | None, "s"] = None
     over_inertia: str = ""  # the same words for the torque over J; empty in older files
 

@@ -123,13 +123,25 @@ def advised(
 
 
 def novel_torque(found: Found, formula: Formula, best: Optimum) -> NovelTorque:
-    """The formula, and when it acts where one motion has it once."""
-    once = None
-    if found.prepared.segments == 1:
-        angle, velocity = np.asarray(best.motion)[0].T
-        once = formula.moment_of(angle, velocity, np.asarray(found.prepared.seen.time)[0])
+    """The formula, and when it acts."""
     over = formula.over(float(np.exp(leg_of(found, best).log_inertia)))
+    once = acting_once(found, formula, best)
     return NovelTorque(formula.words, formula.explained, formula.known, once, over)
+
+
+def acting_once(found: Found, formula: Formula, best: Optimum) -> tuple[float, float] | None:
+    """From when to when nearly all of it acts, where every segment has it once."""
+    seen, moments = found.prepared.seen, []
+    for number, shown in enumerate(np.asarray(best.motion)):
+        last = int(np.flatnonzero(seen.angle_weight[number] + seen.velocity_weight[number])[-1])
+        angle, velocity = shown[: last + 1].T
+        moments.append(
+            formula.moment_of(angle, velocity, np.asarray(seen.time)[number, : last + 1])
+        )
+    known = [each for each in moments if each is not None]
+    if len(known) < len(moments):
+        return None
+    return min(first for first, _ in known), max(last for _, last in known)
 
 
 def findings(selected: list[str], best: Optimum) -> list[Finding]:

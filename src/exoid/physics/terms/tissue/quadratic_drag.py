@@ -13,8 +13,8 @@ class QuadraticDrag(PhysicsTerm):
     title = "drag that grows with the square of speed"
     reference = "Lin & Rymer, IEEE TBME 38(9), 1991: damping rises with amplitude"
     explanation = (
-        "Fast movement is damped more than in proportion, by tissue that moves along (or a sail: "
-        "air on a bare leg is a hundred times too thin)."
+        "Fast movement is damped more than in proportion: of a leg by tissue that moves along (air "
+        "on a bare one is a hundred times too thin), of a rig by a sail or a paddle."
     )
     isolate = "drops from large and small angles: damping that goes with amplitude"
     isolate_driven = "constant speeds, up to the fastest"

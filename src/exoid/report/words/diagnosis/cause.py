@@ -70,7 +70,7 @@ def in_formula(found: Diagnosis, own: NovelTorque) -> str:
     else:
         words = f"a torque that is no short formula; {words}"
         said = f"{words} ({units}) explains only {share} of its variance"
-    return f"{said}{at_once(own)}"
+    return f"{said}{at_once(own, len(found.location.missing))}"
 
 
 def formula_words(found: Diagnosis, own: NovelTorque) -> str:
@@ -83,14 +83,20 @@ def arguments(formula: NovelTorque) -> set[str]:
     return set(re.findall(r"\b[xvt]\b", formula.words))
 
 
-def at_once(formula: NovelTorque) -> str:
-    """That what acts once goes with a place, or with a moment."""
+def at_once(formula: NovelTorque, segments: int) -> str:
+    """That what acts once, or once in each of the segments, goes with a place, or with a moment."""
     if formula.once is None:
         return ""
     first, last = formula.once
+    when = f"from {first:.2f} to {last:.2f} s"
+    if segments > 1:
+        return (
+            f". Nearly all of it acts once in each segment, {when}: a formula does not tell what "
+            "acts at a moment from what acts when the leg first passes a place, as a catch does"
+        )
     return (
-        f". Nearly all of it acts once, from {first:.2f} to {last:.2f} s: whether that goes with "
-        "the place or with the moment, as a touch does, one passage cannot tell"
+        f". Nearly all of it acts once, {when}: whether that goes with the place or with the "
+        "moment, as a touch does, one passage cannot tell"
     )
 
 
