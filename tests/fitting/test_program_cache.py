@@ -250,7 +250,16 @@ def test_a_program_with_a_class_typed_into_a_notebook_is_not_kept(tmp_path, monk
     assert not list(tmp_path.iterdir())
 
 
+def test_what_xla_flags_ask_for_holds_here_too(monkeypatch):
+    level, fusion, split = machine_code.LEAN
+    monkeypatch.setenv("XLA_FLAGS", f"--{level}=3 --other=1 --{split}=2")
+    assert machine_code.options(brief=False) == {fusion: machine_code.LEAN[fusion]}
+    assert machine_code.options(brief=True) == {fusion: machine_code.BRIEF[fusion]}
+
+
 def test_options_that_xla_does_not_know_cost_nothing_but_time(monkeypatch):
+    monkeypatch.delenv("XLA_FLAGS", raising=False)
+    machine_code.understood.cache_clear()
     assert machine_code.understood(brief=False) == machine_code.LEAN
     assert machine_code.understood(brief=True) == machine_code.BRIEF
     machine_code.understood.cache_clear()

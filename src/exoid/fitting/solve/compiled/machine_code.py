@@ -1,6 +1,7 @@
 """Machine code of a function, by XLA."""
 
 import gc
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
@@ -103,8 +104,10 @@ def unheard_of(function, name: str):
 
 
 def options(*, brief: bool) -> dict[str, Any]:
-    """How far to optimise."""
-    return BRIEF if brief else LEAN
+    """How far to optimise: what the user asks of XLA by XLA_FLAGS holds here, too."""
+    asked = os.environ.get("XLA_FLAGS", "")
+    wanted = BRIEF if brief else LEAN
+    return {name: value for name, value in wanted.items() if f"--{name}=" not in asked}
 
 
 @cache
