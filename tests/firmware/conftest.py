@@ -1,12 +1,18 @@
-"""Builds the firmware's test programs, each once, and skips what this machine has no tools for."""
+"""Builds the firmware's test programs, each once, and skips what this machine has no tools for.
+
+Commands are called as those of the command line's tests are.
+"""
 
 import subprocess
+import sys
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 import pytest
 from firmware_tools import QEMU, QEMU_M7, make, need
+
+sys.path.append(str(Path(__file__).parents[1] / "cli"))  # `command_line`
 
 
 @pytest.fixture(scope="session")

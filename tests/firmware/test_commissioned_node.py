@@ -1,14 +1,12 @@
 """The firmware on an emulated Cortex-M0, commissioned over its serial line by `exoid node`."""
 
-import os
-import subprocess
-import sys
 from contextlib import contextmanager
 from pathlib import Path
 
 import can
 import numpy as np
 import pytest
+from command_line import Command
 from emulated_node import SERIAL, Samples, emulated_node
 
 from exoid.recordings.can.dbc import exoid_messages
@@ -20,8 +18,6 @@ from exoid.recordings.loading.can_log import read_can_log
 from live_node import NO_WAIT
 
 COUNT = 1000  # of the encoder, whose knee stands still
-LIMIT = 60  # s
-SCRIPT = Path(sys.executable).with_name("exoid")
 MIDDLE = 2048  # the count that is sent for 0 rad
 
 
@@ -41,19 +37,13 @@ def flash(tmp_path):
 
 
 @pytest.fixture
-def exoid(tmp_path):
-    """The real command, as a user calls it."""
-    quick = {"XDG_CACHE_HOME": str(tmp_path), "CAN_CONFIG": '{"sleep_after_open": 0}'}
+def exoid(tmp_path, monkeypatch):
+    """The command, as a user calls it; an emulator needs no time to start."""
+    monkeypatch.setenv("CAN_CONFIG", '{"sleep_after_open": 0}')
+    command = Command(tmp_path)
 
     def called(*arguments) -> str:
-        done = subprocess.run(
-            [SCRIPT, *map(str, arguments)],
-            env=os.environ | quick,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            timeout=LIMIT,
-        )
+        done = command(*arguments)
         assert done.returncode == 0, done.stderr
         return done.stdout
 

@@ -73,6 +73,6 @@ def test_an_hour_of_drops_leaves_errors_that_are_true(build):
     assert_it_stays_true(build, 1)
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_a_day_of_drops_leaves_errors_that_are_true(build):
     assert_it_stays_true(build, 24)

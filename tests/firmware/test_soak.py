@@ -55,6 +55,6 @@ def test_an_hour_without_a_lost_tick_outside_the_faults(tmp_path):
     assert_all_is_well_outside_the_faults(1, tmp_path, limit=100)
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_a_day_without_a_lost_tick_outside_the_faults(tmp_path):
     assert_all_is_well_outside_the_faults(24, tmp_path, limit=800)
