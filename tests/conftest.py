@@ -19,7 +19,8 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import hypothesis
 import jax
 import pytest
-from jaxtyping import install_import_hook
+
+from checked_types import install
 
 jax.config.update("jax_enable_x64", True)
 # Works only before the first import of exoid. Typer gives commands what it does not declare.
@@ -27,7 +28,7 @@ ROOMS = (
     *("files", "recordings", "physics", "pendulum", "fitting", "twin"),
     *("trust", "mismatch", "planning", "interchange", "online", "watching", "report", "studies"),
 )
-install_import_hook([f"exoid.{room}" for room in ROOMS], "beartype.beartype")
+install([f"exoid.{room}" for room in ROOMS])
 
 # Tracing makes millions of objects that stay: looking for garbage among them takes a tenth of it.
 gc.set_threshold(100_000, 20, 100)
