@@ -67,7 +67,7 @@ class Command:
     def document(self, *arguments, folder: Path) -> dict:
         """What `exoid fit ... --json` writes."""
         path = folder / "fit.json"
-        done = self.alone("fit", *arguments, "--json", path)
+        done = self("fit", *arguments, "--json", path)
         assert done.returncode == 0, done.stderr
         return json.loads(path.read_text(encoding="utf-8"))
 

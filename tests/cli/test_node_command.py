@@ -11,8 +11,9 @@ OTHER = 0x1234ABCD
 
 
 @pytest.fixture
-def on_bus(request):
-    """Nodes on a bus of the test's own; the options that lead there."""
+def on_bus(request, monkeypatch):
+    """Nodes on a bus of the test's own, which answer at once; the options that lead there."""
+    monkeypatch.setattr("exoid.recordings.commissioning.dialogue.PATIENCE", 0.2)
     running = []
 
     def started(*nodes):

@@ -2,6 +2,7 @@
 
 import os
 import signal
+import subprocess
 import sys
 
 import pytest
@@ -10,6 +11,12 @@ from exoid.studies.dataset.open_dataset import open_dataset
 from exoid.studies.engine.run_study import run_study
 from killed_runs import assert_nothing_is_lost_or_there_twice, cluster, started, until, workers_of
 from study_runs import COMPUTED, DROPS, contents, in_this_process, kept, parts
+
+NOBODY = "tcp://127.0.0.1:9"
+HASTY = (
+    "from exoid.studies.engine import workers; workers.ANSWER = 1.0; "
+    "from exoid.cli import main; main()"
+)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
@@ -57,10 +64,10 @@ def test_a_scheduler_that_is_killed_is_told_and_the_next_run_goes_on(
     assert contents(results) == contents(expected)
 
 
-def test_a_scheduler_that_is_not_there_is_told_with_what_to_do(folder, programs, tmp_path):
-    running = started(folder, tmp_path, programs, "--scheduler", "tcp://127.0.0.1:9")
-    _, complaints = running.communicate(timeout=600)
-    assert running.returncode == 2
-    last = complaints.splitlines()[-1]
+def test_a_scheduler_that_is_not_there_is_told_with_what_to_do(folder, tmp_path):
+    asked = ["study", "run", folder, "-o", tmp_path, "--steps", "drops", "--scheduler", NOBODY]
+    done = subprocess.run([sys.executable, "-c", HASTY, *asked], capture_output=True, text=True)
+    assert done.returncode == 2
+    last, complaints = done.stderr.splitlines()[-1], done.stderr
     assert last.startswith("exoid: tcp://127.0.0.1:9: no scheduler answers there.")
     assert "Traceback" not in complaints
