@@ -77,10 +77,10 @@ class Driven:
 
 
 EVEN = np.arange(0.0, 8.0, 0.02)
-RIGS = {
-    "seven samples of a torque's period": Driven(np.arange(0.0, 12.0, 1 / 15)),
+RIGS = {  # of about as many steps, for one program
+    "seven samples of a torque's period": Driven(np.arange(0.0, 8.0, 1 / 15)),
     "a gap of 0.3 s": Driven(EVEN[(EVEN < 4) | (EVEN > 4.3)]),
-    "ten samples of an oscillation": Driven(np.arange(0.0, 8.0, 0.01), 0.02, 70.0, 9.0),
+    "ten samples of an oscillation": Driven(np.arange(0.0, 5.0, 0.01), 0.02, 70.0, 9.0),
 }
 
 

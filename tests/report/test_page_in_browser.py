@@ -195,33 +195,39 @@ def test_keys_reach_the_content_and_zoom(browser, report):
         assert page.locator("details").first.get_attribute("open") is not None
 
 
-def test_on_paper_no_figure_is_wider_than_the_page(browser, report):
+@pytest.fixture(scope="module")
+def paper(browser, report):
+    """A page as it is printed, once `beforeprint` is told."""
     with opened(browser, report, DESKTOP) as (page, said, _):
         page.emulate_media(media="print")
-        page.evaluate("dispatchEvent(new Event('beforeprint'))")
-        widths = page.evaluate(
-            "[...document.querySelectorAll('.plot .main-svg')].map("
-            "  (each) => each.getBoundingClientRect().width)"
-        )
-        assert max(widths) <= PAPER + 1  # rounding
-        assert page.locator("details:not([open])").count() == 0
-        page.evaluate("dispatchEvent(new Event('afterprint'))")
-        assert said == []
+        yield page, said
 
 
-def test_on_paper_no_name_of_an_axis_runs_into_another(browser, report):
-    with opened(browser, report, DESKTOP) as (page, _, _):
-        page.emulate_media(media="print")
-        page.evaluate("dispatchEvent(new Event('beforeprint'))")
-        named = boxes(page, "[id^=motion] text[class$=title]")
-        drawn = len(boxes(page, "figure[id^=motion]"))
-        assert len(named) == 5 * drawn > 0  # two quantities, two residuals, and the time
-        assert not any(overlap(*pair) for pair in combinations(named, 2))
+def test_on_paper_no_figure_is_wider_than_the_page(paper):
+    page, said = paper
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    widths = page.evaluate(
+        "[...document.querySelectorAll('.plot .main-svg')].map("
+        "  (each) => each.getBoundingClientRect().width)"
+    )
+    assert max(widths) <= PAPER + 1  # rounding
+    assert page.locator("details:not([open])").count() == 0
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert said == []
 
 
-def test_it_prints_on_five_pages(browser, report, tmp_path):
-    with opened(browser, report, DESKTOP) as (page, _, _):
-        page.pdf(path=tmp_path / "report.pdf", prefer_css_page_size=True)
+def test_on_paper_no_name_of_an_axis_runs_into_another(paper):
+    page, _ = paper
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    named = boxes(page, "[id^=motion] text[class$=title]")
+    drawn = len(boxes(page, "figure[id^=motion]"))
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert len(named) == 5 * drawn > 0  # two quantities, two residuals, and the time
+    assert not any(overlap(*pair) for pair in combinations(named, 2))
+
+
+def test_it_prints_on_five_pages(paper, tmp_path):
+    paper[0].pdf(path=tmp_path / "report.pdf", prefer_css_page_size=True)
     printed = (tmp_path / "report.pdf").read_bytes()
     assert 1 <= len(re.findall(rb"/Type\s*/Page\b", printed)) <= SHEETS
 
@@ -275,14 +281,16 @@ def test_buttons_of_a_figure_cover_neither_its_legend_nor_its_panels(phone):
 
 MORE_DROPS = """(each) => each.querySelectorAll("tr").forEach(
     (row) => row.append(...[...row.children].slice(-2).map((cell) => cell.cloneNode(true))))"""
+AS_BEFORE = """(each) => each.querySelectorAll("tr").forEach(
+    (row) => [...row.children].slice(-2).forEach((cell) => cell.remove()))"""
 
 
-def test_a_desktop_shows_the_whole_table_of_two_drops_more(browser, report):
-    with opened(browser, report, DESKTOP) as (page, _, _):
-        table = page.locator("#drops .wide").first
-        table.evaluate(MORE_DROPS)
-        inner, outer = table.evaluate("(each) => [each.scrollWidth, each.clientWidth]")
-        assert inner <= outer
+def test_a_desktop_shows_the_whole_table_of_two_drops_more(desktop):
+    table = desktop[0].locator("#drops .wide").first
+    table.evaluate(MORE_DROPS)
+    inner, outer = table.evaluate("(each) => [each.scrollWidth, each.clientWidth]")
+    table.evaluate(AS_BEFORE)
+    assert inner <= outer
 
 
 def test_a_phone_shows_every_value_of_every_table_without_scrolling(phone):
