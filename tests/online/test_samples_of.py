@@ -68,3 +68,12 @@ def test_a_drop_is_seen_at_any_rate(rate):
         online.init(exoid.expected_leg(74.0, 1.78), model), online.samples_of(recording), model
     )
     assert said.phase[-1] == online.Phase.MOVING
+
+
+def test_a_few_samples_tell_no_noise():
+    """A movement that is advised by them would promise the numbers of a sensor that has none."""
+    still = np.random.default_rng(0).normal(-0.2, 7e-4, 4)  # as four rows may look alike
+    segment = Segment(np.arange(4) / 100, raw_angle=still, raw_angular_velocity=np.zeros(4))
+    node = online.node_of(Recording((segment,), Subject(kind="leg")))
+    usual = online.Node()
+    assert (node.angle_noise, node.velocity_noise) == (usual.angle_noise, usual.velocity_noise)

@@ -66,11 +66,13 @@ def node_of(recording: Recording) -> Node:
         *(columns_of(each, 0.0) for each in recording.segments), strict=True
     )
     said, own = recording.sensors, declared(recording)
+    of_angle = level_of(times, angles, said.angle_noise, OF_ANGLE, LEAST[0])
+    of_rate = level_of(times, rates, said.velocity_noise, OF_RATE, LEAST[1])
     return replace(
         own,
-        angle_noise=level_of(times, angles, said.angle_noise, OF_ANGLE, LEAST[0]),
+        angle_noise=of_angle or own.angle_noise,
         angle_step=0.0,
-        velocity_noise=level_of(times, rates, said.velocity_noise, OF_RATE, LEAST[1]),
+        velocity_noise=of_rate or own.velocity_noise,
         velocity_step=0.0,
         period=max(own.period, *(usual_step(each) for each in times)),
     )
@@ -109,6 +111,10 @@ def has_gyro(segment: Segment) -> bool:
     return any(each is not None and bool(np.isfinite(each).any()) for each in rates)
 
 
-def level_of(times, signals, declared: float | None, swing: float, least: float) -> float:
-    """The standard deviation of a channel's samples, with the steps in which it is told."""
-    return max(noise_of(list(times), list(signals), declared, swing=swing).level, least)
+def level_of(times, signals, declared: float | None, swing: float, least: float) -> float | None:
+    """The standard deviation of a channel's samples, with the steps in which it is told; None where
+    too few samples tell one, and nobody declared it.
+    """
+    noise = noise_of(list(times), list(signals), declared, swing=swing)
+    told = noise.measured is not None or declared is not None
+    return max(noise.level, least) if told else None
