@@ -5,7 +5,6 @@ where such a check shows it, and what else may be behind it as what can be check
 """
 
 from collections.abc import Collection, Sequence
-from functools import partial
 
 import numpy as np
 
@@ -14,12 +13,11 @@ from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.systematics import OF_THE_REST, by_recording
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.estimates.basis import Basis
-from exoid.fitting.result.mountings import numbers_at
 from exoid.fitting.result.refused.own_swing import own_swing, rests
 from exoid.fitting.result.remarks.gyro_remarks import scale_of
 from exoid.fitting.result.remarks.remarks import as_taken, of_astray
 from exoid.fitting.result.remarks.zero.leaning import Leaning
-from exoid.fitting.result.remarks.zero.slack_angle import leaning, of_missed
+from exoid.fitting.result.remarks.zero.slack_angle import Numbers, leaning, of_missed
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.anatomy.likeness import pendulum_length
 from exoid.physics.leg import GRAVITY
@@ -68,14 +66,16 @@ DRIVEN = (
 )
 
 
-def of_refused(why: str, basis: Basis) -> list[str]:
-    """That it is not followed, what it shows of itself, and what may be behind it."""
+def of_refused(why: str, basis: Basis, numbers: Numbers) -> list[str]:
+    """That it is not followed, what it shows of itself, and what may be behind it; `numbers` are a
+    result's at a point.
+    """
     problem, ended = basis.problem, basis.ended
     movements, rig = problem.movements, problem.belief.rig
     seat = turned_away(problem, ended)
     return [
         *of_astray(why, problem),
-        *of_missed(missed_as_slack(basis)),
+        *of_missed(missed_as_slack(basis, numbers)),
         *of_sensors(movements),
         *([] if rig else of_swing(problem.belief, movements)),
         *of_rests(movements),
@@ -85,11 +85,10 @@ def of_refused(why: str, basis: Basis) -> list[str]:
     ]
 
 
-def missed_as_slack(basis: Basis) -> Leaning | None:
+def missed_as_slack(basis: Basis, numbers: Numbers) -> Leaning | None:
     """What a slack spring would make of the fit; None where kinds of segments are weighed apart."""
     if basis.ended.disturbance.apart:
         return None
-    numbers = partial(numbers_at, basis.problem)
     return leaning(basis.problem, basis.ended, basis.information.open, numbers)
 
 
