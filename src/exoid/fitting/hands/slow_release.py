@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.data.movement import Movement
-from exoid.fitting.hands.first_instants import differ
+from exoid.fitting.hands.first_instants import differ, disturbed
 from exoid.fitting.hands.first_swing import bottom, fastest, kept_back_by, swung_back
 from exoid.fitting.hands.kept_back import KEEPING, NEXT, names, unlike, what
 from exoid.fitting.hands.last_instants import LOUD, Fitted, misses
@@ -40,7 +40,7 @@ def without_slow_release(
     more than the swings do.
     """
     movements = whole[0].movements
-    bent = bent or not is_held(whole[1].disturbance)
+    bent = bent or not disturbed(whole[1])
     if (bent and missed(whole).cause != "torque") or not any(map(bottom, movements)):
         return None
     free = None
