@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recordings.measured.samples import Samples
-from exoid.recordings.motion.thresholds import HALTED, HURRIED, WANTING
+from exoid.recordings.motion.thresholds import AHEAD, HURRIED, LOSING, STICKING
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,10 +45,13 @@ def brought_to_rest(course: Course) -> int | None:
     """
     ends = course.size.size - 1  # this swing ends at rest, or with the recording
     for swing in range(2, ends + course.rested):
-        if not course.seen[max(swing - 3, 0) : swing + 1].all():
+        if not course.seen[max(swing - 2 - AHEAD, 0) : swing + 1].all():
             continue
-        if (swing < ends and hurried(course, swing)) or curtailed(course, swing, swing == ends):
+        if swing < ends and hurried(course, swing):
             return swing
+        last = last_before_loss(course, swing, resting=swing == ends)
+        if last is not None:
+            return last + 1
     return None
 
 
@@ -63,21 +66,36 @@ def hurried(course: Course, swing: int) -> bool:
     return any(smaller > size * course.least and lasted < share * usual for size, share in HURRIED)
 
 
-def curtailed(course: Course, swing: int, resting: bool) -> bool:
-    """Does it end long before the three swings before it let expect?
-
-    A stop or a reflex may make the swing after the fall small: of a leg that rests after three
-    swings, the fall is one of these.
+def last_before_loss(course: Course, swing: int, *, resting: bool) -> int | None:
+    """The swing, one or two before, from which a leg cannot have lost so much by itself; None of
+    one that may.
     """
-    before = course.size[max(swing - 3, 0) : swing]
-    if swing < (3 if resting else 4) or not (np.diff(before) < 0).all():
-        return False
-    expected = next_swing(*before.tolist())
-    share = 0.0 if resting and swing > 3 else HALTED
-    return bool(expected - course.size[swing] > max(WANTING * course.least, share * expected))
+    for steps in range(1, min(AHEAD, swing - 2) + 1):
+        before = course.size[: swing - steps + 1]
+        if not (np.diff(before[-3:]) < 0).all():
+            continue
+        expected = expected_after(before, steps)
+        most = max(LOSING * expected, course.least / 2)
+        if resting:
+            whole, lost = STICKING
+            most = whole * course.least + lost * float(before[-2] - before[-1])
+        if expected - course.size[swing] > steps * most:
+            return swing - steps
+    return None
 
 
-def next_swing(first: float, second: float, third: float) -> float:
-    """s' = q s - c, with c >= 0 and q <= 1, as three swings that shrink tell."""
-    share = min(max((second - third) / (first - second), third / second), 1.0)
-    return share * third - (share * second - third)
+def expected_after(before: Samples, steps: int) -> float:
+    """The least that a swing may be so many `steps` after those before it.
+
+    By its law s' = q s - c, with c >= 0 and q <= 1, as the last three tell. Something that is slow
+    shifts the angle about which a leg swings, so that every second swing shrinks more: none shrinks
+    more than one did before, the fall left aside where there are others.
+    """
+    shares = before[1:] / before[:-1]
+    usual = float(shares[int(shares.size > 2) :].min()) ** steps * float(before[-1])
+    first, second, swing = before[-3:].tolist()
+    share = min(max((second - swing) / (first - second), swing / second), 1.0)
+    step = share * second - swing
+    for _ in range(steps):
+        swing = share * swing - step
+    return min(swing, usual)

@@ -62,9 +62,12 @@ KEPT = 3.0  # s at rest that are kept: more tells nothing but the sensor's drift
 # A swing that a leg does not make by itself, of 385 drops with friction, stops, reflexes, feet:
 HURRIED = (2.0, 0.8), (5.0, 0.9)  # times the least swing, from where on one that takes less than so
 # much of what those before took is no leg's: 0.84 and 0.94 of those
-WANTING = 2.2  # times it, by which a leg stands still too soon: 1.7 of those
 UNSEEN = 0.1  # s without a sample, in which a swing may have turned
-HALTED = 0.4  # of a swing, by which it is too short while the leg still moves: 0.16 of those
+AHEAD = 2  # swings, within which a hand that is laid on a leg softly damps it
+LOSING = 0.2  # of a swing, times those swings, that a leg loses more than it lost before: 0.15 of
+# 1020 drops with friction, stops, reflexes, tissue that flows, by cameras of 25 Hz, too
+STICKING = 1.4, 0.1  # the same where it then rests, as friction holds it: times the least swing,
+# and of what it lost in the swing before: 1.2 of those
 PUSH = 0.12  # of the greatest free acceleration, below which a hand is not told from a leg's own
 GRIP, SEIZED = 0.35, 5.0  # of that acceleration, and times what the free parts leave: a hand that
 # stops a leg within 0.15 s does more, and noise does not in 10^4 recordings
