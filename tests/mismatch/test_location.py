@@ -5,9 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from exoid.fitting.estimate import fit
 from exoid.mismatch.conclude.verdict.own_torques import of_own_torques, own_torques
-from exoid.mismatch.evidence.locate import between, regions_of
+from exoid.mismatch.evidence.locate import between, explained, lacking, regions_of
 from exoid.mismatch.evidence.location import Location, Missing, Region
+from exoid.mismatch.prepare import prepare
+from legs import drop, fall, recording
 
 OWN, ADDED = 0.33, 0.2  # kg m^2, of the leg and of a known mass on it
 
@@ -71,3 +74,27 @@ def test_no_place_is_named_inside_the_noise(size, named):
     noise = 0.01 * np.cos(50 * time)
     each = Missing("", time, time, time, wave + noise, 0.1, wave, 3, OWN)
     assert len(regions_of(each)) == named
+
+
+def test_what_hangs_on_speed_alone_is_told_so_of_a_swing_that_decays():
+    """Most samples are of small swings, where hardly anything is missing."""
+    time = np.arange(0.0, 12.0, 0.01)
+    swing = np.exp((8j - 0.5) * time)
+    speed = ((8j - 0.5) * swing).real
+    drag = -speed * np.abs(speed) + 2.0 * speed
+    assert explained(speed, drag) > 0.95
+    assert explained(swing.real, drag) < 0.5
+    assert explained(speed, np.random.default_rng(0).normal(size=time.size)) < 0.05
+
+
+def test_what_a_late_gyro_shows_is_no_torque_that_a_model_explains():
+    """By a gyro that is a step of 12 ms late: taken for what the leg does, that is 0.7 N m."""
+    step, both = 0.012, drop(step=0.012)
+    late = replace(both, raw_angular_velocity=np.roll(both.raw_angular_velocity, 1))
+    named = [("drop", recording(late))]
+    prepared, base = prepare(fit(named, multistart=2), named, ())
+    _, angle, speed = fall(step=step)
+    room = prepared.seen.time.shape[1] - angle.size
+    shown = np.pad(np.stack([angle, np.roll(speed, 1)], axis=1), ((0, room), (0, 0)), mode="edge")
+    one = lacking(prepared, base.candidate, 0, shown)
+    assert one.modelled == pytest.approx(one.torque, abs=0.1)

@@ -5,6 +5,7 @@ from math import degrees
 import jax
 import jax.numpy as jnp
 import numpy as np
+from scipy.interpolate import make_interp_spline
 
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.equation import equation
@@ -32,7 +33,8 @@ LARGEST = 0.98  # quantile: friction that sticks and slips has spikes
 SHORTEST = 0.03  # s
 MOST = 6  # places that are named
 TURNING = np.radians(30.0)  # rad/s, below which a leg is at a reversal
-FEW = 12  # bins of angle or speed
+FEW = 12  # bins of angle or speed with as many samples each, and as many of equal width
+SPLINE = 5  # degree, of which a simulated motion loses nothing between two samples
 BY_EQUATION = "exoid.mismatch.evidence.locate:by_equation"
 EXPECTED = jax.tree.structure((np.zeros(1), np.zeros(())))
 
@@ -61,8 +63,9 @@ def lacking(
     prepared: PreparedRecording, base: Hypothesis, number: int, shown: np.ndarray | None = None
 ) -> Missing:
     """J (phi'' - Eq. 9) along the measured motion and along the simulated one that is `shown`,
-    (time, channel), averaged over a few samples. The sensors' zeros are the baseline's. Where the
+    (time, channel), averaged over a few samples. The encoder's zero is the baseline's. Where the
     leg is let go, and at the end, the sensors do not tell the acceleration: nothing is said there.
+    Both motions are as the encoder has them: the reference is without the errors of the gyro.
     """
     coordinates, seen = prepared.coordinates(base), prepared.seen
     reference = prepared.sensors.references[number]
@@ -76,10 +79,10 @@ def lacking(
     unknowns = Unknowns(coordinates.shared, mounting, own(coordinates.own))
     time = observation.time[:size]
     beyond = observation.time.size - size
-    bias, zero = base.zero
+    zero = base.zero[1]
 
     def excess(angle, velocity, acceleration):
-        moved = (np.pad(each, (0, beyond), mode="edge") for each in (angle - zero, velocity - bias))
+        moved = (np.pad(each, (0, beyond), mode="edge") for each in (angle - zero, velocity))
         given = (unknowns, observation, *moved)
         expected, inertia = called(BY_EQUATION, given, None, EXPECTED, brief=True)
         return averaged((acceleration - expected[:size]) * inertia, width)[free], float(inertia)
@@ -93,14 +96,14 @@ def lacking(
         free = slice(let_go, size)
     modelled = None
     if shown is not None:
-        angle, velocity = shown[:size].T
-        modelled, _ = excess(angle, velocity, np.gradient(velocity, time))
+        motion = make_interp_spline(time, shown[:size, 0], k=SPLINE)
+        modelled, _ = excess(*(motion(time, order) for order in range(3)))
     angle, velocity = reference.angle, reference.angular_velocity
     torque, inertia = excess(angle, velocity, reference.angular_acceleration)
     band = reference.smoother.spread(width) * inertia
     name = prepared.problem.movements[number].name
-    motion = (time[free], angle[free], velocity[free])
-    return Missing(name, *motion, torque, band, modelled, width, inertia)
+    along = (time[free], angle[free], velocity[free])
+    return Missing(name, *along, torque, band, modelled, width, inertia)
 
 
 def by_equation(unknowns: Unknowns, observation: Observation, angle, velocity, _: None):
@@ -118,12 +121,18 @@ def averaged(torque: np.ndarray, width: int) -> np.ndarray:
 
 
 def explained(cause: Samples, torque: Samples) -> float:
-    """The share of the torque's variance between bins of a cause."""
-    edges = np.quantile(cause, np.linspace(0, 1, FEW + 1)[1:-1])
+    """The share of the torque's variance between bins of a cause.
+
+    Most samples are of small swings, and most of the torque of the few large ones: bins of as many
+    samples each are wide there, and those of equal width are few elsewhere. Both cut.
+    """
+    inner = np.linspace(0, 1, FEW + 1)[1:-1]
+    low, high = cause.min(), cause.max()
+    edges = np.sort([*np.quantile(cause, inner), *(low + (high - low) * inner)])
     bins = np.searchsorted(edges, cause)
-    whole = float(np.var(torque)) or 1.0
-    means = np.array([torque[bins == k].mean() if (bins == k).any() else 0.0 for k in range(FEW)])
-    return float(np.var(means[bins]) / whole)
+    count = np.maximum(np.bincount(bins), 1)
+    means = np.bincount(bins, torque) / count
+    return float(np.var(means[bins]) / (np.var(torque) or 1.0))
 
 
 def between(missing: list[Missing]) -> float:
