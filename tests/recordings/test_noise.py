@@ -5,8 +5,9 @@ import pytest
 from scipy.signal import butter, filtfilt
 
 from exoid.recordings.signal.neighbours import interpolation_errors
-from exoid.recordings.signal.noise import OF_ANGLE, OF_RATE, noise_of
+from exoid.recordings.signal.noise import noise_of
 from exoid.recordings.signal.scatter import quantum
+from exoid.recordings.signal.smoothed import OF_ANGLE, OF_RATE
 from exoid.recordings.signal.spikes import find_spikes
 
 NOISE = np.radians(0.1)

@@ -11,7 +11,8 @@ from exoid.recordings.conventions.thin import of_means
 from exoid.recordings.measured.samples import usual_step
 from exoid.recordings.measured.segment import Segment
 from exoid.recordings.recording import Recording
-from exoid.recordings.signal.noise import OF_ANGLE, OF_RATE, noise_of
+from exoid.recordings.signal.noise import noise_of
+from exoid.recordings.signal.smoothed import OF_ANGLE, OF_RATE
 
 PAUSE = 1.0  # s between segments, each of which has a clock of its own
 QUICKEST = 0.0049  # s between samples: of what comes more often, means are followed
@@ -84,7 +85,9 @@ def is_smoothed(recording: Recording) -> bool:
     """
     each = [columns_of(one, 0.0) for one in recording.segments]
     times, angles = ([one[at] for one in each] for at in (0, 1))
-    noise = noise_of(times, angles, recording.sensors.angle_noise, swing=OF_ANGLE)
+    driven = any(each.driven for each in recording.segments)
+    declared = recording.sensors.angle_noise
+    noise = noise_of(times, angles, declared, swing=OF_ANGLE, driven=driven)
     hidden = noise.measured is not None and noise.measured < LEAST[0]
     return noise.alike_over > 0 or hidden
 

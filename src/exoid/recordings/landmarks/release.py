@@ -18,10 +18,10 @@ from numpy.typing import NDArray
 from exoid.recordings.landmarks.local_polynomial import local
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import HALF, SURE, Peak, Track, nearest
+from exoid.recordings.left_over import orthonormal
 from exoid.recordings.measured.samples import Samples
 from exoid.recordings.motion.extent import Extent
 from exoid.recordings.signal.condition import MOTION_SPEED
-from exoid.recordings.signal.left_over import orthonormal
 
 FALL = 0.3  # s of the fall that are followed
 HOLD = 0.2  # s of the hold: a cubic follows a hand that trembles at 3 Hz over it

@@ -54,6 +54,11 @@ class Segment:
         return angle
 
     @property
+    def driven(self) -> bool:
+        """Was the torque measured that moves it, which may be quicker than what a leg does?"""
+        return self.applied_torque is not None
+
+    @property
     def duration(self) -> float:
         """From the first sample to the last [s]."""
         return float(self.time[-1] - self.time[0])

@@ -10,9 +10,9 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from exoid.recordings.left_over import beside, left_beside, orthonormal
 from exoid.recordings.measured.samples import Samples
 from exoid.recordings.motion.signal import Signal
-from exoid.recordings.signal.left_over import beside, left_beside, orthonormal
 
 Table = NDArray[np.float64]
 FINE = 5e-4  # s, between the entries of a response

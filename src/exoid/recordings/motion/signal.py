@@ -13,7 +13,8 @@ from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.thresholds import QUIET, SPEED_ERROR, WIDTHS
 from exoid.recordings.remembered import remembered
 from exoid.recordings.signal.local_line import local_line
-from exoid.recordings.signal.noise import OF_ANGLE, declared_angle_noise, noise_of
+from exoid.recordings.signal.noise import declared_angle_noise, noise_of
+from exoid.recordings.signal.smoothed import OF_ANGLE
 from exoid.recordings.signal.spikes import spikes_of
 
 
@@ -120,7 +121,8 @@ def credible(
     """The samples without spikes, and their noise."""
     samples, spikes = getattr(segment, channel), spikes_of(segment, channel, declared or 0.0)
     kept = np.where(spikes, np.nan, samples) if spikes.any() else samples
-    return kept, noise_of([segment.time], [kept], declared, swing=swing).level
+    noise = noise_of([segment.time], [kept], declared, swing=swing, driven=segment.driven)
+    return kept, noise.level
 
 
 @remembered  # every step of the search asks for it

@@ -12,13 +12,8 @@ from exoid.recordings.recording import Recording
 from exoid.recordings.signal.both_sensors.gyro_drift import gyro_drift
 from exoid.recordings.signal.both_sensors.play import find_play
 from exoid.recordings.signal.both_sensors.shared_motion import moved_alike, swung_alike
-from exoid.recordings.signal.noise import (
-    OF_ANGLE,
-    OF_RATE,
-    Noise,
-    declared_angle_noise,
-    noise_of,
-)
+from exoid.recordings.signal.noise import Noise, declared_angle_noise, noise_of
+from exoid.recordings.signal.smoothed import OF_ANGLE, OF_RATE
 from exoid.recordings.signal.spikes import spikes_of
 from exoid.recordings.signal.tone import find_tone, without_tone
 from exoid.recordings.signal.turns import coarse
@@ -92,12 +87,13 @@ def clean_channel(
     ]
     count = int(sum(each.sum() for each in spikes))
     swing = OF_ANGLE if name in ("raw_angle", "angle") else OF_RATE
-    noise = noise_of(times, kept, declared, swing=swing)
+    driven = any(each.driven for each in recording.segments)
+    noise = noise_of(times, kept, declared, swing=swing, driven=driven)
     white = noise_of(times, kept, declared) if noise.alike_over else noise
     tone = find_tone(times, kept, white.level) if hum else None
     if tone is not None:
         kept = [without_tone(*each, tone) for each in zip(times, kept, strict=True)]
-        noise = noise_of(times, kept, declared, swing=swing)
+        noise = noise_of(times, kept, declared, swing=swing, driven=driven)
     return with_channel(recording, name, kept), replace(noise, spikes=count, tone=tone)
 
 
