@@ -48,7 +48,7 @@ def read_off(track: Track, find: Callable[[Track], Landmarks]) -> Reading:
     plain = Reading(found, measures(found))
     seen = found.uncounted is None  # to the last turn, after which it hangs
     hanging = slope_at_rest(found.track, found.turns) if seen else None
-    moves = moving(slope_of_swings(found.turns), hanging)
+    moves = moving(slope_of_swings(found.free_turns), hanging)
     if moves is None:
         return plain
     line = moves.slope.value * (track.time - track.time[0])

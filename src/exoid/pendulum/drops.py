@@ -6,7 +6,7 @@ from exoid.files.counted import counted
 from exoid.pendulum.catalogue import MEASURES
 from exoid.pendulum.drift import read_off
 from exoid.pendulum.drop import Average, Drop, PendulumTest
-from exoid.pendulum.halt import of_halt
+from exoid.pendulum.halt import of_halt, of_stop
 from exoid.pendulum.off_body import with_doubted_times
 from exoid.pendulum.off_clock import with_doubted_clock
 from exoid.pendulum.push import of_push
@@ -91,13 +91,14 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         handled = recording.subject.kind != "rig"
         drifting = read_off(track, lambda each: find_landmarks(each, handled, law, seen))
         found = drifting.landmarks
-        halt = of_halt(found) if handled else None
+        stop = of_stop(found)
+        halt = of_halt(found) if handled and not stop else None
         read, smoothed = as_smoothed(drifting.measures, cleaned.angle, recording)
         read, clock = with_doubted_clock(read, cleaned.recording)
         read, times = with_doubted_times(read, cleaned.recording, number)
         push = of_push(found, drifting.measures) if handled else None
         wild = of_wild_samples(recording.segments[number], segment)
-        notes = drifting.note, smoothed, clock, times, push, wild
+        notes = stop, drifting.note, smoothed, clock, times, push, wild
         note = "; ".join(filter(None, notes)) or None
         if halt is None:
             check_motion(read)

@@ -1,4 +1,6 @@
-"""A halt in the first swing, as a stretch reflex makes one: amplitude and index hang on it."""
+"""A halt in the first swing, as a stretch reflex makes one, and a stop that a leg meets: amplitude
+and index hang on both.
+"""
 
 import numpy as np
 
@@ -9,6 +11,25 @@ from exoid.recordings.signal.condition import MOTION_SPEED
 
 SLOW = 0.1  # of the fastest flexion before and after it, of a leg that halts
 FARTHER = np.radians(2.0)  # rad by which a second flexion goes beyond the first
+# In no more time [s], and by no less [rad/s], something hard turns a leg around: reflexes of 330
+# legs did by 0.6 rad/s at most.
+HARD, STRUCK = 0.05, 2.0
+
+
+def of_stop(drop: Landmarks) -> str | None:
+    """That the leg meets something hard in flexion, where first and in how much time; None of one
+    that turns as muscles and gravity turn it.
+    """
+    hard = (each for each in drop.impacts if each.lasting <= HARD and each.gained >= STRUCK)
+    found = next(hard, None)
+    if found is None:
+        return None
+    return (
+        f"the leg turns around at {np.degrees(found.value):.0f} deg within "
+        f"{max(found.lasting, 0.01):.2f} s, by {np.degrees(found.gained):.0f} deg/s, as only "
+        "something hard turns it, a stop or the end of its range: amplitudes, indices and "
+        "decrements of swings that end there are of that. Let it swing clear"
+    )
 
 
 def of_halt(drop: Landmarks) -> str | None:

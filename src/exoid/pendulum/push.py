@@ -34,7 +34,7 @@ def of_push(drop: Landmarks, measures: dict[str, Measure]) -> str | None:
 
 def greatest(drop: Landmarks) -> tuple[float, float] | None:
     """What a leg that swings so accelerates by at most from rest, and its error [rad/s^2]; None
-    where too few swings tell.
+    where too few swings tell, or a stop shortened them.
     """
     try:
         start, rest = drop.release.start, drop.expected_rest
@@ -42,7 +42,7 @@ def greatest(drop: Landmarks) -> tuple[float, float] | None:
         return None
     turns = drop.turns[: SWINGS + 1]
     count = len(turns) - 1
-    if count < 1 or start.value <= rest.value:
+    if count < 1 or len(drop.free_turns) < len(drop.turns) or start.value <= rest.value:
         return None
     lasting = (turns[-1].time - turns[0].time) / count
     late = hypot(turns[-1].time_error, turns[0].time_error) / count

@@ -10,7 +10,7 @@ from exoid.recordings.landmarks.local_polynomial import local
 from exoid.recordings.landmarks.measure import Found, NotAllowed
 from exoid.recordings.landmarks.release import Release, find_release
 from exoid.recordings.landmarks.rest import CutBefore, Rest, find_rest
-from exoid.recordings.landmarks.swing import turned, turns
+from exoid.recordings.landmarks.swing import turned, turns, with_impacts
 from exoid.recordings.landmarks.track import (
     FEWEST,
     HALF,
@@ -44,7 +44,8 @@ def find_landmarks(
     released = attempt(lambda: find_release(track, extent))
     free = None if isinstance(released, NotAllowed) else released
     begin = float(track.time[0]) if free is None else free.start.time
-    found = with_friction(track, turns(track, begin), begin)
+    rubbed = with_friction(track, turns(track, begin), begin)
+    found, impacts = with_impacts(track, rubbed, begin)
     start = float(track.angle[0]) if free is None else free.start.value
     if found and found[0].value > start:
         raise NotAllowed(f"no drop: it first swings towards extension, up to {found[0].time:.2f} s")
@@ -58,6 +59,7 @@ def find_landmarks(
         attempt(lambda: rested(track, extent, ends if after is None else after, hole)),
         None if free is None else held(track, free, before),
         hole and interrupted(*hole),
+        tuple(each for each in impacts if hole is None or each.time < hole[0]),
     )
 
 

@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from exoid.recordings.landmarks.expected_rest import expected_rest
+from exoid.recordings.landmarks.impact.impact import Impact
 from exoid.recordings.landmarks.local_polynomial import LocalPolynomials, local
 from exoid.recordings.landmarks.measure import NotAllowed, given, ordinal
 from exoid.recordings.landmarks.peak import fastest
@@ -32,6 +33,13 @@ class Landmarks:
     rested: Rest | NotAllowed
     held: NotAllowed | None  # why it did not fall freely at first
     uncounted: NotAllowed | None = None  # why turns after the last are not counted
+    impacts: tuple[Impact, ...] = ()  # that made some of the turns
+
+    @property
+    def free_turns(self) -> list[Peak]:
+        """The turns after the last that an impact made: those before it say nothing of the next."""
+        struck = max((each.time for each in self.impacts), default=-np.inf)
+        return [each for each in self.turns if each.time > struck]
 
     @property
     def release(self) -> Release:

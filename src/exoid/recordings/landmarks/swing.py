@@ -4,10 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.recordings.landmarks.impact.impact import Impact, impact_at
 from exoid.recordings.landmarks.local_polynomial import local
 from exoid.recordings.landmarks.peak import peaks
 from exoid.recordings.landmarks.release import Release
-from exoid.recordings.landmarks.track import HALF, Peak, Track
+from exoid.recordings.landmarks.track import HALF, Peak, Track, nearest
 from exoid.recordings.measured.samples import Samples
 from exoid.recordings.signal.condition import reversals
 from exoid.recordings.signal.local_line import local_line
@@ -34,6 +35,27 @@ def turns(track: Track, begin: float) -> list[Peak]:
     """
     first = int(np.searchsorted(track.time, begin))
     return peaks(track, [first + at for at in turned(track, first)], begin)
+
+
+def with_impacts(track: Track, found: list[Peak], begin: float) -> tuple[list[Peak], list[Impact]]:
+    """The turns, flexion and extension in turn, with those that an impact makes as that tells, and
+    these impacts.
+    """
+    after = track.part(slice(int(np.searchsorted(track.time, begin)), None))
+    each = [
+        impact_at(after.time, after.angle, track.noise, turn.time, 1 - number % 2 * 2)
+        for number, turn in enumerate(found)
+    ]
+    told = [
+        turn if hit is None else struck(track, hit) for turn, hit in zip(found, each, strict=True)
+    ]
+    return told, [hit for hit in each if hit is not None]
+
+
+def struck(track: Track, hit: Impact) -> Peak:
+    """The turn that an impact makes."""
+    near = nearest(track, hit.time)
+    return Peak(near, hit.time, hit.time_error, hit.value, hit.error)
 
 
 def turned(track: Track, first: int = 0) -> list[int]:

@@ -70,7 +70,26 @@ def find_spikes(time: Samples, samples: Samples, least: float = 0.0) -> NDArray[
         before, after = kept[max(at - REACH, 0) : at], kept[at + 1 : at + 1 + REACH]
         if not stands_out(samples[at], before, after, limit):
             found[at] = single[at] and not begins_or_ends(before, after, limit)
+        near = slice(max(at - REACH, 0), at + 1 + REACH)
+        found[at] &= not is_tip(time[near] - time[at], kept[near], samples[at], limit)
     return found
+
+
+def is_tip(since: Samples, kept: Samples, sample: float, limit: float) -> bool:
+    """Does it go no farther than the lines that run into it, as where a leg meets a stop? `since`
+    is 0 at the sample, and `kept` are those that no spike is among.
+    """
+    known = np.flatnonzero(~np.isnan(kept))
+    after = int(np.searchsorted(since[known], 0.0))
+    if not 2 <= after <= known.size - 2:
+        return False
+    (a, b), (c, d) = known[after - 2 : after], known[after : after + 2]
+    side = np.sign(kept[b] + kept[c] - 2 * sample)  # 1 where it is below those beside it
+    left, right = (
+        kept[near] - since[near] * (kept[far] - kept[near]) / (since[far] - since[near])
+        for near, far in ((b, a), (c, d))
+    )
+    return bool(side * sample > max(side * left, side * right) - limit)
 
 
 def stands_out(sample: float, before: Samples, after: Samples, limit: float) -> bool:
