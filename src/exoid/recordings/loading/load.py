@@ -1,28 +1,18 @@
 """Any recording file: a table or a CAN log, with the sidecar beside it, cut into its movements."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from exoid.files.text_file import naming
-from exoid.recordings.can.quality import LogQuality
 from exoid.recordings.conventions.apply import understand
 from exoid.recordings.defaults import DEFAULTS, keys_told
 from exoid.recordings.formats.own_table import read_table
 from exoid.recordings.formats.sheets import is_table
-from exoid.recordings.recording import Recording
+from exoid.recordings.loading.loaded import Loaded
 from exoid.recordings.splitting.split import cut_apart, cut_table
 
 LOG_HEADER = b"timestamp,arbitration_id,"  # of python-can's own .csv
-
-
-@dataclass(frozen=True, eq=False)
-class Loaded:
-    """A recording, what its reader noticed, and for a CAN log its quality report."""
-
-    recording: Recording
-    notes: tuple[str, ...]
-    quality: LogQuality | None
 
 
 def load(

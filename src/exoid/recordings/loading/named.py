@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from exoid.files.visible import visible
-from exoid.recordings.loading.load import Loaded, load
+from exoid.recordings.loading.loaded import Loaded
 from exoid.recordings.loading.once import once
 from exoid.recordings.loading.warn_user import tell
 from exoid.recordings.recording import Recording
@@ -57,6 +57,8 @@ def pair(each: Any, name: str, noticed: list[tuple[Path, str]]) -> tuple[str, Re
             f"a recording is asked for, and this is of type {type(each).__name__}: of data in "
             "memory exoid.recording(...) makes one."
         )
+    from exoid.recordings.loading.load import load  # what is in memory needs no reader
+
     loaded = load(each if isinstance(each, str) else Path(each))
     noticed += [(Path(each), note) for note in loaded.notes]
     return visible(Path(each).name), loaded.recording

@@ -5,7 +5,8 @@ from dataclasses import replace
 from exoid.files.visible import visible
 from exoid.recordings.declared.subject import Subject
 from exoid.recordings.defaults import keys_told
-from exoid.recordings.loading.load import Loaded, load
+from exoid.recordings.loading.load import load
+from exoid.recordings.loading.loaded import Loaded
 from exoid.recordings.recording import Recording
 from exoid.studies.dataset.cause import for_all
 from exoid.studies.dataset.entry import Dataset, Entry, Participant

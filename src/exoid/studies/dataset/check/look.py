@@ -10,7 +10,7 @@ from exoid.files.visible import visible
 from exoid.recordings.conventions.balance import Balance, balance
 from exoid.recordings.conventions.other_leg import EXPLAINED, middle
 from exoid.recordings.declared.subject import Subject
-from exoid.recordings.loading.load import Loaded
+from exoid.recordings.loading.loaded import Loaded
 from exoid.recordings.rate import rate_of
 from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import classify
