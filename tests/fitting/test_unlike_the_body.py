@@ -138,7 +138,7 @@ def test_a_spring_slack_in_a_bent_position_is_asked_for_first_where_it_would_do(
     times = np.exp((5 if shorter else -5) * usual.standard_deviation / length)
     gravity = GRAVITY / length * times
     off = -lower * GRAVITY / length * abs(times - 1) / 2
-    slack = Leaning({"gravity_over_inertia": off}, 1.0, 0.0, np.inf, shown=False)
+    slack = Leaning({"gravity_over_inertia": off}, 1.0, 0.0, np.inf, softer=0.0, shown=False)
     (said,) = of_anatomy(belief, gravity, slack)
     first = said.partition("body mass, height and age")[0]
     assert ("slack in a bent position" in first) == (bent and shorter)
