@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
+from exoid.fitting.result.estimates.moved import variance_left
 from exoid.fitting.result.systematics.torque_zero import variance_left
 from exoid.recordings.declared.protocol import Protocol
 from exoid.recordings.declared.sensors import Sensors

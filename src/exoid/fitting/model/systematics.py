@@ -207,7 +207,7 @@ def owned_by(movements: Sequence, owned: Sequence[str] = OWNED) -> tuple[str, ..
     measures, no gain of one whose unit is any, and no zero where a torque drove all of them.
 
     Then nothing tells it from a seat's tilt, an encoder's zero or a spring, and a model that misses
-    much would take it for an excuse: errors hold it instead (`remarks/torque_zero.py`).
+    much would take it for an excuse: errors hold it instead (`estimates/moved.py`).
     """
     driven = [one for one in movements if one.kind == "measured"]
     mixed = 0 < len(driven) < len(movements)

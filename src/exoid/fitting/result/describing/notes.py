@@ -14,6 +14,7 @@ from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.fitting.result.remarks.zero.far_zeros import of_far_zeros
 from exoid.fitting.result.remarks.zero.leaning import Leaning
 from exoid.fitting.result.remarks.zero.slack_angle import Numbers, slack_angle_remarks
+from exoid.fitting.result.remarks.zero.slack_words import slack_angle_remarks
 from exoid.fitting.result.systematics.granted import granted
 from exoid.fitting.result.systematics.limiting import limiting
 from exoid.fitting.result.systematics.suspicions import suspicions

@@ -1,10 +1,29 @@
-"""How far a fit may have moved by what is no unknown of it, and its numbers with it."""
+"""How far a fit may have moved by what is no unknown of it, and its numbers with it.
+
+A leg may follow another law than a term, and a measured torque read other than zero where none
+acts. Such a zero u is a torque that acts all the time. Around a fit without it, which moves by
+dz = -(A'A + P)^-1 A'b u for it, the residual r and the response b tell it as
+
+    u = -b'r / (1 / s^2 + b'b - b'A (A'A + P)^-1 A'b),
+
+s being its standard deviation and P what is believed. A tilt of the seat, an encoder's zero and a
+spring's slack angle make nearly the same torque: the fit takes what it cannot tell apart for those.
+Where other segments lie beside those that a torque drove, it is an unknown of the fit itself.
+"""
 
 from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.fitting.misfit.neighbourhood import columns
+from exoid.fitting.misfit.uncertainty import VAGUE, Information
+from exoid.fitting.model.systematics import zero_of_torque
+from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.solve.ask import sensed
+from exoid.fitting.solve.problem import Problem
+
+NOISY = 2.0  # times the sensors' noise, from which on the residual tells no zero
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,3 +41,81 @@ class Moved:
     def off(self, gradient: np.ndarray) -> float:
         """How far a quantity of this gradient may be off."""
         return float(np.linalg.norm([np.linalg.norm(gradient @ each) for each in self.by.values()]))
+
+
+def moved(problem: Problem, ended: SearchResult, information: Information) -> Moved:
+    """By the zero of a torque's sensor, and by a law that a leg follows otherwise than a term."""
+    return Moved(
+        {
+            "torque_zero": moved_by_torque_zero(problem, ended),
+            "reflex_form": moved_by_law(problem, ended, information),
+        }
+    )
+
+
+def moved_by_law(problem: Problem, ended: SearchResult, information: Information) -> np.ndarray:
+    """How far it moves, (coordinate, quantity), with each quantity of which a term says so."""
+    off = {name: size for term in problem.terms for name, size in term.law_of.items()}
+    names = [name for name in off if name in problem.quantities]
+    rows = ended.local.quantities[[problem.quantities.index(name) for name in names]]
+    return moved_with(rows, np.array([off[name] for name in names]), information)
+
+
+def moved_with(rows: np.ndarray, sizes: np.ndarray, information: Information) -> np.ndarray:
+    """How far x moves where a quantity a'x, a row of `rows`, is off by s: C a s / a'C a, C being
+    the covariance of x.
+    """
+    root = information.root
+    if root is None:
+        return np.zeros((rows.shape[1], 0))
+    along = rows @ root
+    told = np.sum(along**2, axis=1)
+    share = np.divide(sizes, told, out=np.zeros_like(sizes), where=told > 0)
+    return root @ along.T * share
+
+
+def moved_by_torque_zero(problem: Problem, ended: SearchResult) -> np.ndarray:
+    """How far it may have moved the fit, (coordinate, recording), in the units that the solver
+    sees; no column where no torque is measured, or where it is an unknown of the fit.
+    """
+    deviation = np.array([zero_of_torque(own) for own in problem.recordings])
+    if "torque_zero" in problem.owned or not deviation.any():
+        return np.zeros((len(ended.local.prior), 0))
+    known, crossed, square, slope = normal_equations(problem, ended, deviation)
+    moved = np.linalg.solve(known, crossed.T)  # by a zero of one deviation
+    told = variance_left(crossed, moved, square)
+    size = np.hypot(told * slope, np.sqrt(told))
+    if ended.disturbance.scale > NOISY:  # what is missed would be taken for a zero
+        size = np.maximum(size, 1.0)
+    return moved * size
+
+
+def variance_left(crossed: np.ndarray, moved: np.ndarray, square: np.ndarray) -> np.ndarray:
+    """Of every zero, its variance over the one that it is declared with: all of it where the fit
+    takes its response for something else, of which rounding may leave less than nothing.
+    """
+    return 1 / (1 + np.maximum(square - np.sum(crossed * moved.T, axis=1), 0.0))
+
+
+def normal_equations(
+    problem: Problem, ended: SearchResult, deviation: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """A'A + P, and of the zero of every recording A'b, b'b and b'r, by one deviation of it."""
+    found, local, owner = ended.disturbance, ended.local, np.asarray(problem.observation.owner)
+    driven = np.array([kind == "measured" for kind in problem.kinds])
+    per_inertia = driven * deviation[owner] / np.exp(ended.point.shared.log_inertia)
+    seen = sensed(problem, ended.point, per_inertia)
+    size = len(local.prior)
+    known, crossed = local.prior + VAGUE * np.eye(size), np.zeros((len(deviation), size))
+    square, slope = np.zeros((2, len(deviation)))
+    scales = found.scale * found.weighing(problem.kinds)
+    for number, place in enumerate(columns(ended.point, owner)):
+        rows = seen.columns[number].reshape(len(place), -1) / scales[number]
+        response, residual = (
+            each[number].ravel() / scales[number] for each in (seen.responses[:, 0], seen.residual)
+        )
+        known[np.ix_(place, place)] += rows @ rows.T
+        crossed[owner[number], place] += rows @ response
+        square[owner[number]] += response @ response
+        slope[owner[number]] += response @ residual
+    return known, crossed, square, slope

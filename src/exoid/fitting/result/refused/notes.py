@@ -17,7 +17,8 @@ from exoid.fitting.result.refused.own_swing import own_swing, rests
 from exoid.fitting.result.remarks.gyro_remarks import scale_of
 from exoid.fitting.result.remarks.remarks import as_taken, of_astray
 from exoid.fitting.result.remarks.zero.leaning import Leaning
-from exoid.fitting.result.remarks.zero.slack_angle import Numbers, leaning, of_missed
+from exoid.fitting.result.remarks.zero.slack_angle import Numbers, leaning, of_missed, shown_slack
+from exoid.fitting.result.remarks.zero.slack_words import of_missed
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.anatomy.likeness import pendulum_length
 from exoid.physics.leg import GRAVITY
@@ -76,6 +77,7 @@ def of_refused(why: str, basis: Basis, numbers: Numbers) -> list[str]:
     return [
         *of_astray(why, problem),
         *of_missed(missed_as_slack(basis, numbers)),
+        *of_slack(basis),
         *of_sensors(movements),
         *([] if rig else of_swing(problem.belief, movements)),
         *of_rests(movements),
@@ -90,6 +92,13 @@ def missed_as_slack(basis: Basis, numbers: Numbers) -> Leaning | None:
     if basis.ended.disturbance.apart:
         return None
     return leaning(basis.problem, basis.ended, basis.information.open, numbers)
+
+
+def of_slack(basis: Basis) -> list[str]:
+    """That it is missed as by a slack spring; nothing where kinds of segments are weighed apart."""
+    if basis.ended.disturbance.apart:
+        return []
+    return of_missed(shown_slack(basis.problem, basis.ended, basis.information.open))
 
 
 def turned_away(problem: Problem, ended: SearchResult) -> bool:
