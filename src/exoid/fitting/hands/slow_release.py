@@ -55,7 +55,7 @@ def without_slow_release(
                 replace(each, kept_back=own) if each.slow else each
                 for each, own in zip(later, by, strict=True)
             ]
-            if not TRIPPED & {*by}:
+            if found[0].terms or not TRIPPED & {*by}:  # beside terms nothing tells what it was
                 break
     return free
 
