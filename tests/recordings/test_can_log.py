@@ -374,7 +374,7 @@ def test_a_damaged_block_of_a_blf_costs_that_block_alone(tmp_path):
 def test_flipped_bits_give_good_samples_or_one_line(tmp_path, messages, suffix, flips):
     path = write_log(tmp_path / f"leg{suffix}", messages)
     whole = path.read_bytes()
-    for seed in range(3):
+    for seed in range(1 if suffix == ".mf4" else 3):  # tests/fuzz damages more of what takes long
         rng = np.random.default_rng(seed)
         damaged = bytearray(whole)
         for at in rng.integers(0, len(whole), flips):
