@@ -1,11 +1,11 @@
 """A rehearsal asks for the programs that a diagnosis asks for while it tests all causes."""
 
 import pytest
+from diagnosis_cases import session
 
 from exoid.fitting.solve import program_cache
 from exoid.mismatch.missing_physics import diagnose
 from exoid.mismatch.rehearsal import rehearse
-from legs import drop, recording
 
 TESTING = ("along", "act")
 
@@ -20,7 +20,7 @@ def test_what_tests_all_causes_was_rehearsed(monkeypatch):
 
     heard.cache_clear = program.cache_clear
     monkeypatch.setattr(program_cache, "program", heard)
-    drops = recording(drop(seed=1), drop(start=-0.5, seed=2))
+    drops = session()  # whose programs other tests ask for, too
     rehearse([("drops", drops)])
     rehearsed, asked = asked, set()
     diagnose(drops, multistart=4)
