@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from scipy.signal import butter, filtfilt
 
+from exoid.recordings.measured.samples import quantum
 from exoid.recordings.signal.neighbours import interpolation_errors
 from exoid.recordings.signal.noise import noise_of
-from exoid.recordings.signal.scatter import quantum
 from exoid.recordings.signal.smoothed import OF_ANGLE, OF_RATE
 from exoid.recordings.signal.spikes import find_spikes
 
@@ -33,6 +33,24 @@ def test_the_noise_of_a_swing_is_told_whatever_its_rate_and_size(rate, degrees):
     found = noise_of([time for time, _ in signals], [angle for _, angle in signals], None)
     assert found.level == pytest.approx(np.radians(degrees), rel=0.15)
     assert not found.heavy
+
+
+@pytest.mark.parametrize("samples", [40, 100, 220, 500])
+def test_the_tails_of_gaussian_noise_are_not_called_heavy_however_few_samples_show_them(samples):
+    """One of 700 is allowed to: a ratio of two deviations scatters by 1.2 over the root of their
+    number.
+    """
+    times = [np.arange(samples) / 100] * 200
+    generator = np.random.default_rng(samples)
+    found = [noise_of([time], [generator.normal(size=samples)], None).heavy for time in times]
+    assert sum(found) <= 2
+
+
+def test_tails_that_are_heavy_are_called_so():
+    """A tenth of the samples with four times the noise of the others."""
+    generator = np.random.default_rng(2)
+    wild = np.where(generator.random(1500) < 0.1, 4.0, 1.0)
+    assert noise_of([np.arange(1500) / 100], [wild * generator.normal(size=1500)], None).heavy
 
 
 @pytest.mark.parametrize("samples", [12, 20, 31, 50, 70])

@@ -16,13 +16,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float
 
-from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.samples import Samples, quantum, robust_deviation
 from exoid.recordings.recording import Recording
 from exoid.recordings.remembered import remembered
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.neighbours import interpolation_errors
 from exoid.recordings.signal.noise import Noise
-from exoid.recordings.signal.scatter import quantum, robust_deviation
 from exoid.recordings.signal.turns import coarse
 
 WIDTH = 0.06  # s, over which a rate is told

@@ -11,11 +11,10 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.files.text_file import Notes
-from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.samples import Samples, robust_deviation
 from exoid.recordings.measured.segment import Segment
 from exoid.recordings.recording import Recording
 from exoid.recordings.signal.neighbours import interpolation_errors
-from exoid.recordings.signal.scatter import robust_deviation
 
 SHORT, MANY = 0.35, 0.2  # of the mean step, and of all steps, that are so short
 LATE = 10.0  # mean steps that a sample waits at most: what waits longer was not there

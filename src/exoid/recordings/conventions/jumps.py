@@ -10,10 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.samples import Samples, robust_deviation
 from exoid.recordings.measured.segment import Segment
 from exoid.recordings.signal.local_line import interpolated
-from exoid.recordings.signal.scatter import robust_deviation
 
 NEAR = 10  # steps on either side, that show what is usual there
 SURE = 8.0  # standard deviations of a step ...

@@ -5,14 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.measured.samples import Samples, quantile
-
 NEIGHBOURS = 3  # on either side: a quintic, from which a leg departs by 1e-5 rad even at 30 Hz
 OFFSETS = [offset for offset in range(-NEIGHBOURS, NEIGHBOURS + 1) if offset]
 EVENLY = np.array([-0.05, 0.3, -0.75, 1.0, -0.75, 0.3, -0.05])  # less the quintic, evenly apart
 DEPARTURE = EVENLY / np.linalg.norm(EVENLY)  # scatters as the noise does
-ENDING = 0.5  # s that tell where a movement ends
 ALIKE = 1e-7  # of a step, to which neighbours are evenly apart: a leg moves 1e-8 rad in it
+
+Samples = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,19 +54,6 @@ def known_of(time: Samples, samples: Samples) -> Known:
     changes = np.abs(np.diff(steps)) > ALIKE * steps[1:]
     counted = np.concatenate([[0], np.cumsum(changes)]) if changes.any() else None
     return Known(places, time, samples, counted)
-
-
-def at_rest(known: Known, still: float) -> Known | None:
-    """What is known of the rest at the end of a movement, in which the signal goes no farther than
-    `still` from where it ends; None where that is too short for neighbours.
-    """
-    end = quantile(known.values[np.searchsorted(known.time, known.time[-1] - ENDING) :])
-    away = np.flatnonzero(np.abs(known.values - end) > still)
-    rest = slice(int(away[-1]) + 1 if away.size else 0, None)
-    if known.values[rest].size <= 2 * NEIGHBOURS:
-        return None
-    changes = None if known.changes is None else known.changes[rest]
-    return Known(known.places[rest], known.time[rest], known.values[rest], changes)
 
 
 def interpolation_errors(time: Samples, samples: Samples) -> Samples:

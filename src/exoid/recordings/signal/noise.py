@@ -5,15 +5,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from exoid.recordings.declared.sensors import Sensors
-from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.samples import FAR, FEWEST, NONE, Samples, quantum, robust_deviation
 from exoid.recordings.signal.neighbours import known_of
-from exoid.recordings.signal.scatter import FAR, FEWEST, NONE, quantum, robust_deviation
 from exoid.recordings.signal.smoothed import QUIET, smoothed_or_not
 from exoid.recordings.signal.tone import Tone
 
 AGREE = 2.0  # factor between measured and declared noise, from which on it is worth a word
 MORE = 1.5  # times the declared noise: samples that scatter by more are believed; jumps make 1.4
 HEAVY = 1.15  # root mean square over robust deviation, from which on tails are worth a word
+CHANCE = 4.5  # over the root of their number, by which it is more of one in 700 Gaussian samples
 
 
 @dataclass(frozen=True)
@@ -56,8 +56,9 @@ class Noise:
 
     @property
     def heavy(self) -> bool:
-        """Are large errors more frequent than in a normal distribution?"""
-        return bool(self.heaviness > HEAVY)
+        """Are large errors more frequent than in a normal distribution, by more than chance?"""
+        chance = CHANCE / np.sqrt(max(self.samples, 1))
+        return bool(self.heaviness > 1.0 + max(HEAVY - 1.0, chance))
 
 
 def of_hidden_noise(noise: Noise) -> str:

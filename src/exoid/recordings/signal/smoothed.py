@@ -7,14 +7,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.measured.samples import Samples, quantile
-from exoid.recordings.signal.neighbours import NEIGHBOURS, Known, astride, at_rest, jumps_of
-from exoid.recordings.signal.scatter import FAR, FEWEST, robust_deviation
+from exoid.recordings.measured.samples import FAR, FEWEST, Samples, quantile, robust_deviation
+from exoid.recordings.signal.neighbours import NEIGHBOURS, Known, astride, jumps_of
 
 SHARED = 2.0  # times white noise and motion, that wider neighbourhoods must show
 CLOSE, WIDEST = 0.051, 0.1  # s between neighbours: where smoothing shows at last, and motion does
 RESTING = 0.13  # s, the same of both in a leg at rest: errors that a filter of 4 Hz leaves
 FURTHER, ALIKE = 4, 1.25  # samples, between neighbours that show no more noise than these times
+ENDING = 0.5  # s that tell where a movement ends
 STILL = 0.1  # of how far a leg swings most of the time, that it swings at rest at most
 STRIDES = 60  # neighbourhoods that are tried at most
 WIDER = 1.5  # times as far, over which growth tells noise from motion
@@ -64,6 +64,19 @@ def plain(known: list[Known], white: float, rounding: float) -> bool:
     if told.size < 2 * FEWEST or white < ALIKE * rounding:
         return False
     return robust_deviation(told) < ALIKE * white
+
+
+def at_rest(known: Known, still: float) -> Known | None:
+    """What is known of the rest at the end of a movement, in which the signal goes no farther than
+    `still` from where it ends; None where that is too short for neighbours.
+    """
+    end = quantile(known.values[np.searchsorted(known.time, known.time[-1] - ENDING) :])
+    away = np.flatnonzero(np.abs(known.values - end) > still)
+    rest = slice(int(away[-1]) + 1 if away.size else 0, None)
+    if known.values[rest].size <= 2 * NEIGHBOURS:
+        return None
+    changes = None if known.changes is None else known.changes[rest]
+    return Known(known.places[rest], known.time[rest], known.values[rest], changes)
 
 
 def known_step(known: list[Known]) -> float:

@@ -3,12 +3,11 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.measured.samples import Samples
+from exoid.recordings.measured.samples import FAR, Samples, quantum, robust_deviation
 from exoid.recordings.measured.segment import Segment
 from exoid.recordings.remembered import remembered
 from exoid.recordings.signal.excursions import find_excursions
 from exoid.recordings.signal.neighbours import NEIGHBOURS, departures, interpolation_errors, renew
-from exoid.recordings.signal.scatter import FAR, quantum, robust_deviation
 
 ANGLES = ("angle", "raw_angle")
 REACH = 2 * NEIGHBOURS + 1

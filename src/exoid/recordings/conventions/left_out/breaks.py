@@ -11,8 +11,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
-from exoid.recordings.measured.samples import Samples
-from exoid.recordings.signal.scatter import robust_deviation
+from exoid.recordings.measured.samples import Samples, robust_deviation
 
 WIDE, FEWEST = 0.12, 6  # s and samples on either side, over which a swing is a parabola
 SURE = 3.0  # standard deviations by which a leg is elsewhere, of the few steps whose speed jumps

@@ -7,10 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recordings.chi_square import chance_above, median_of
-from exoid.recordings.measured.samples import Samples, usual_step
+from exoid.recordings.measured.samples import Samples, robust_deviation, usual_step
 from exoid.recordings.signal.both_sensors.sensor_scales import GYRO_SCALE
 from exoid.recordings.signal.both_sensors.shared_motion import shared
-from exoid.recordings.signal.scatter import robust_deviation
 from exoid.recordings.signal.tone import AROUND, FALSE, powers, spectrum, standing_out, unbroken
 
 SLOWEST = 2.5  # Hz

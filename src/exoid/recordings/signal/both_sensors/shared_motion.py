@@ -11,10 +11,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.measured.samples import Samples, usual_step
+from exoid.recordings.measured.samples import FEWEST, NONE, Samples, robust_deviation, usual_step
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.neighbours import NEIGHBOURS, known_of
-from exoid.recordings.signal.scatter import FEWEST, NONE, robust_deviation
 from exoid.recordings.signal.tone import piecewise
 
 SHARE = 0.5  # of what one sensor shows beside noise, that the other shows, too, of a motion
