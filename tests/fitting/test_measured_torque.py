@@ -4,10 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from exoid.fitting.result.estimates.torque_zero import variance_left
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.estimates.moved import variance_left
+from exoid.fitting.result.remarks.residual_remarks import EXPLAINED
 from exoid.fitting.result.systematics.torque_zero import variance_left
 from exoid.recordings.declared.protocol import Protocol
 from exoid.recordings.declared.sensors import Sensors
@@ -63,10 +65,14 @@ def test_what_a_torque_drove_is_not_asked_whether_it_was_passive():
 
 
 def moved(
-    zero: float, gain: float = 1.0, sensors: Sensors | None = None, stiffness: float = STIFFNESS
+    zero: float,
+    gain: float = 1.0,
+    sensors: Sensors | None = None,
+    stiffness: float = STIFFNESS,
+    friction: float = 0.0,
 ) -> Recording:
     """A leg that a motor moves by slow and quick sines, its torque read off by a zero [N m] and a
-    gain.
+    gain; it may have dry friction [N m].
     """
     generator, time = np.random.default_rng(8), np.arange(1500) / 100
     rates = 2 * np.pi * np.array([0.13, 0.31, 0.83, 1.9])
@@ -75,13 +81,21 @@ def moved(
     angle = np.radians(-55.0) + np.sin(phases) @ sizes
     velocity, acceleration = np.cos(phases) @ (rates * sizes), -np.sin(phases) @ (rates**2 * sizes)
     torque = INERTIA * acceleration + DAMPING * velocity
-    torque += GRAVITY_MOMENT * np.cos(angle) + stiffness * angle
+    torque += GRAVITY_MOMENT * np.cos(angle) + stiffness * angle + friction * np.sign(velocity)
     segment = Segment(
         time=time,
         raw_angle=angle + generator.normal(0, np.radians(0.03), time.size),
         applied_torque=gain * torque + zero + generator.normal(0, 0.01, time.size),
     )
     return Recording((segment,), ADULT, Protocol(kind="measured"), sensors or Sensors())
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.3])
+def test_the_noise_of_a_torque_sensor_is_no_torque_that_a_model_misses(friction):
+    """0.01 N m, white, moves the simulation by more than an encoder errs."""
+    notes = " ".join(fit(moved(0.0, friction=friction), multistart=4).notes)
+    assert ("misses something" in notes) == (friction > 0)
+    assert (EXPLAINED in notes) == (friction == 0)
 
 
 @pytest.mark.slow

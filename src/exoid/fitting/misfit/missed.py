@@ -9,6 +9,7 @@ from jaxtyping import Float
 from exoid.fitting.misfit.gram import CAUSES, UNIT, Cause
 
 NOISY = 1.1  # over the declared noise, from where on it is worth a word
+DOUBT = 10.0  # a process only stands for what a kind misses: it is held for this much worse
 
 KINDS = ("passive", "measured", "active")  # of segments; the last leans on a form of its torque
 

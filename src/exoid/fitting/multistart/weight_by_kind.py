@@ -16,7 +16,7 @@ from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.disturbance.explain import CLEAR, explain
 from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
 from exoid.fitting.misfit.information import common, spoiled
-from exoid.fitting.misfit.missed import KINDS, NOISY, Disturbance, Missed
+from exoid.fitting.misfit.missed import DOUBT, KINDS, NOISY, Disturbance, Missed
 from exoid.fitting.model.coordinates import layout
 from exoid.fitting.multistart.beginning.tethers import FINE, led
 from exoid.fitting.solve.ask import advance, better_of, declared_at, grams_at, left_by, take, task
@@ -27,7 +27,6 @@ PLAUSIBLE = 0.3  # of what moves the leg: a model that misses more is none
 # Gain of log likelihood below which all kinds miss the same. To hold that movements at will, which
 # lean on a form of their torque and are short, miss less than the others, takes more.
 DIFFERENT = {"passive": CLEAR, "measured": CLEAR, "active": 2 * CLEAR}
-DOUBT = 10.0  # a process only stands for what is missed: the others are held for this much worse
 BLIND = 1e8  # what the residual of a segment is divided by that is not to count
 
 

@@ -8,7 +8,7 @@ from exoid.files.counted import counted
 from exoid.fitting.result.agreement import of_the_rest
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.result.remarks.residual_remarks import slight
+from exoid.fitting.result.remarks.residual_remarks import EXPLAINED, slight
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.recordings.conventions.left_out.lost_time import TIME_LOST
 from exoid.report.parts.case import Case, Source
@@ -145,10 +145,15 @@ def little(case: Case) -> bool:
 
 
 def barely(case: Case) -> bool:
-    """Is all that the fit leaves beyond the noise a torque that changes no number?"""
+    """Is all that the fit leaves beyond the noise a torque that changes no number, or as the noise
+    of a torque sensor makes it?
+    """
     gravity = case.fit.ratios["gravity_over_inertia"].value or 0.0
-    each = [one for one in case.fit.disturbance.kinds.values() if one.cause is not None]
-    return bool(each) and all(slight(one, gravity) for one in each)
+    explained = {"measured"} if any(EXPLAINED in each for each in case.fit.notes) else set()
+    each = {kind: one for kind, one in case.fit.disturbance.kinds.items() if one.cause is not None}
+    return bool(each) and all(
+        kind in explained or slight(one, gravity) for kind, one in each.items()
+    )
 
 
 def misses(case: Case) -> bool:

@@ -1,23 +1,38 @@
 """What besides the declared noise a fit leaves, in sentences."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from exoid.fitting.misfit.disturbance.explain import CORRELATED
-from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
+from exoid.fitting.misfit.disturbance.torque_noise import TorqueNoise
+from exoid.fitting.misfit.missed import DOUBT, NOISY, Disturbance, Missed
 
 SLIGHT = 1e-3  # of m l g, below which an unknown torque changes no number that anybody reads
+EXPLAINED = "as the white noise of the measured torque makes it"
 INCOMPLETE = "no error bar of a model that misses something is complete"
 
 
 def of_residual(
-    found: Disturbance, gravity: float, inertia: float | None, unit: float
+    found: Disturbance,
+    gravity: float,
+    inertia: float | None,
+    unit: float,
+    torque: TorqueNoise | None = None,
 ) -> list[str]:
     """What besides the declared noise is in the residuals, and what that does to the errors.
 
     `gravity` is m l g / J [1/s^2]; `inertia` None where J is not known; `unit` that of the
-    residuals over the noise.
+    residuals over the noise; `torque` the noise of a torque that was measured.
     """
     noisy = of_noisy_torque(found, gravity)
+    measured = found.kinds.get("measured")
+    if torque and measured and torque.explains(measured, inertia):
+        others = {kind: each for kind, each in found.kinds.items() if kind != "measured"}
+        alone = replace(found, kinds=others)
+        where = "the residual of measured segments" if others else "the residual"
+        rest = of_residual(alone, gravity, inertia, unit) if others else []
+        return [*rest, of_torque_noise(torque, where), *noisy]
     if len(set(found.kinds.values())) == 1:
         missed = next(iter(found.kinds.values()))
         return of_missed(missed, "the residual", gravity, inertia, unit) + noisy
@@ -26,6 +41,14 @@ def of_residual(
         for kind, each in found.kinds.items()
         for sentence in of_missed(each, f"the residual of {kind} segments", gravity, inertia, unit)
     ] + noisy
+
+
+def of_torque_noise(torque: TorqueNoise, where: str) -> str:
+    """That the sensor of a torque makes what is left."""
+    return (
+        f"{where} is more than the angle's noise, {EXPLAINED}, {torque.level:.2g} N m from sample "
+        "to sample: nothing else is seen to be missing. Errors are widened for it."
+    )
 
 
 def of_noisy_torque(found: Disturbance, gravity: float) -> list[str]:
@@ -38,9 +61,9 @@ def of_noisy_torque(found: Disturbance, gravity: float) -> list[str]:
     if missed.correlation_time > CORRELATED[0]:
         return []
     return [
-        "noise of the measured torque looks like that, too. It makes J too large and the ratios to "
-        "it too small, by more than ± says where the leg is led slowly and evenly, as by a stiff "
-        "motor: move it quicker and less evenly, or measure the torque with less noise."
+        "noise of the measured torque leaves such a residual. It makes J too large and the ratios "
+        "to it too small, by more than ± says where the leg is led slowly and evenly, as by a "
+        "stiff motor: move it quicker and less evenly, or measure the torque with less noise."
     ]
 
 
@@ -98,5 +121,6 @@ def of_kinds(found: Disturbance) -> list[str]:
     return [
         "what the model misses differs from kind to kind of segment, and each is weighed by its "
         f"own: the residuals of the {' and '.join(trusted)} segments count as they are, "
-        f"{', '.join(others)}. 'set by' names the kind that told a number."
+        f"{', '.join(others)}, {DOUBT:g} times as much as what is missed there widens errors "
+        "beside it: that hides in numbers rather than shows. 'set by' names the kind that told one."
     ]
