@@ -180,7 +180,8 @@ def fit(
     others += [model] if model else []
     origin = origin_of(inputs(paths, dbc, *others), asked) if save or report else None
     wanted = (plot is not None or json is not None) and not each and result.follows
-    profiles = files.attempt(lambda: profiled(result), "profiling", None) if wanted else None
+    beside = "fitting anew beside every number for its profile, which --json and --plot show"
+    profiles = files.attempt(lambda: profiled(result), beside, None) if wanted else None
     sources, more = list(zip(paths, named, strict=True)), {"told": told, "profiles": profiles}
     files.put(
         save, lambda path: keep(result, sources, asked, path, origin=origin, **more), "saving"
