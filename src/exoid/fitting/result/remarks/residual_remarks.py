@@ -28,7 +28,7 @@ def of_residual(
     noisy = of_noisy_torque(found, gravity)
     measured = found.kinds.get("measured")
     if torque and measured and torque.explains(measured, inertia):
-        others = {kind: each for kind, each in found.kinds.items() if kind != "measured"}
+        others = {kind: each for kind, each in found.kinds.items() if each != measured}
         alone = replace(found, kinds=others)
         where = "the residual of measured segments" if others else "the residual"
         rest = of_residual(alone, gravity, inertia, unit) if others else []
@@ -121,6 +121,7 @@ def of_kinds(found: Disturbance) -> list[str]:
     return [
         "what the model misses differs from kind to kind of segment, and each is weighed by its "
         f"own: the residuals of the {' and '.join(trusted)} segments count as they are, "
-        f"{', '.join(others)}, {DOUBT:g} times as much as what is missed there widens errors "
-        "beside it: that hides in numbers rather than shows. 'set by' names the kind that told one."
+        f"{', '.join(others)}. That is {DOUBT:g} times by how much more what they miss widens "
+        "errors, though little of it may show in residuals. 'set by' names the kind that told a "
+        "number."
     ]
