@@ -11,16 +11,17 @@ STEP = 0.01  # s
 TIME = np.arange(0.0, HOLD + 9.0, STEP)
 
 
-def note(pull, spring, damping, *, push=0.0, lasting=0.05, noise=NOISE):
+def note(pull, spring, damping, *, push=0.0, lasting=0.05, noise=NOISE, tight=0.0):
     """What is said of a leg under gravity [1/s^2], a spring [1/s^2] about -40 deg and damping
-    [1/s], let go at -10 deg, and pushed by so much [rad/s].
+    [1/s], let go at -10 deg, pushed by so much [rad/s] and drawn down by tight hamstrings [1/s^2].
     """
 
     def acceleration(time, state):
         angle, speed = state
         hand = push / lasting if time < lasting else 0.0
         own = -pull * np.cos(angle) - spring * (angle + 0.7) - damping * speed
-        return [speed, own - hand]
+        hamstrings = tight * np.exp((angle - begin[0]) / 0.15)
+        return [speed, own - hand - hamstrings]
 
     begin = [np.radians(-10.0), 0.0]
     ends = {"rtol": 1e-8, "atol": 1e-10, "max_step": STEP, "dense_output": True}
@@ -36,6 +37,11 @@ def test_a_push_of_a_hand_is_told_by_what_no_leg_does_from_rest():
     said = note(26.0, 4.0, 0.8, push=0.9)
     assert "it was pushed" in said
     assert "± does not hold" in said
+
+
+def test_where_hamstrings_draw_it_down_they_are_named_beside_a_push():
+    said = note(26.0, 4.0, 0.8, tight=25.0)
+    assert "it was pushed, a muscle or tight tissue draws it down there" in said
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""A push at the release, which makes the first swing deeper: what of it is told without a model."""
+"""A leg that falls faster than from rest, as one that was pushed: what is told without a model."""
 
 from math import degrees, hypot, log, pi
 
@@ -27,8 +27,9 @@ def of_push(drop: Landmarks, measures: dict[str, Measure]) -> str | None:
     return (
         f"in its first flexion the leg accelerates by {degrees(found.value):.0f} deg/s^2, and one "
         f"of its period that is let go at rest from there by {degrees(value):.0f} at most: it was "
-        "pushed, and ± does not hold what that adds to the first flexion, the relaxation index, "
-        "peak velocities and accelerations. Let go without a push"
+        "pushed, a muscle or tight tissue draws it down there, or a filter makes its angle "
+        "overshoot. ± does not hold what that adds to the first flexion, the relaxation index, "
+        "peak velocities and accelerations. See that it is let go without a push"
     )
 
 
