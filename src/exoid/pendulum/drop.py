@@ -25,6 +25,7 @@ class Drop:
     note: str | None = None  # what its errors do not hold
     halt: str | None = None  # in its first swing
     drift: float = 0.0  # rad/s, of the angle's sensor, less which it was read
+    thigh_angle: float = 0.0  # rad, the knee above the hip, as declared
 
     @property
     def measured(self) -> bool:

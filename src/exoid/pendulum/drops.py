@@ -104,7 +104,8 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
             check_motion(read)
     except NotAllowed as why:
         return Drop(name, segment, mass, {}, None, str(why))
-    return Drop(name, segment, mass, read, found, None, note, halt, drifting.drift)
+    thigh = recording.thigh_angle(number)
+    return Drop(name, segment, mass, read, found, None, note, halt, drifting.drift, thigh)
 
 
 def of_wild_samples(given: Segment, cleaned: Segment) -> str | None:

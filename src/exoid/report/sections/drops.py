@@ -13,14 +13,12 @@ from exoid.report.tables.drops import (
     SOURCE,
     loaded,
     mean,
-    of_mixed_ends,
-    of_mixed_starts,
-    of_unlike_rests,
     unit_of,
     value,
 )
 from exoid.report.tables.table import Column, Table
 from exoid.report.words.text import by_reason
+from exoid.report.words.unlike_drops import of_mixed_ends, of_mixed_starts, of_unlike_rests
 
 SHOWN = 4  # drops that are drawn; the first ones
 AVERAGE = "mean ± sd"

@@ -1,7 +1,6 @@
 """The pendulum test as a person reads it: a table for every drop, what was not read and why."""
 
 from math import degrees
-from statistics import median
 
 from rich.console import Console
 
@@ -9,13 +8,11 @@ from exoid.pendulum.drop import Average, Drop, PendulumTest
 from exoid.recordings.landmarks.measure import Measure
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.text import by_reason, heading, note, say, shown_unit, with_error
+from exoid.report.words.unlike_drops import of_mixed_ends, of_mixed_starts, of_unlike_rests
 
 LARGE = 99.5  # of an error, beyond which two digits of it leave no unit
-ALIKE = 5.0  # deg, by which drops that were meant to begin, or to rest, alike differ
-SURE = 3.0  # standard errors
 MOST = 40  # drops with a table of their own
-EXPECTED, INDEX = "expected_relaxation_index", "relaxation_index"
-START, SWING = "start_angle", "first_flexion_amplitude"
+EXPECTED = "expected_relaxation_index"
 A_E = (
     "A_e is the amplitude to the angle that swings shrink to: of a leg that was left until it hung "
     "still it is A0, of one that was stopped, moved or cut before it is what A0 would have been, "
@@ -102,75 +99,6 @@ def print_average(test: PendulumTest, console: Console) -> None:
     for said in (of_mixed_starts(test), of_mixed_ends(test), of_unlike_rests(test)):
         if said:
             say(console, said)
-
-
-def of_mixed_starts(test: PendulumTest) -> str | None:
-    """Which means hang on where the drops began; None where they began alike."""
-    if "start_angle" not in test.average:
-        return None
-    alike = test.average["start_angle"].drops
-    read = (drop.measures["start_angle"].value for drop in test.drops if drop.name in alike)
-    starts = [degrees(each) for each in read if each is not None]
-    lowest, highest = min(starts), max(starts)
-    if highest - lowest < ALIKE:
-        return None
-    return (
-        f"These drops began between {lowest:.0f} and {highest:.0f} deg: amplitudes, oscillations, "
-        "time to rest, peak velocities and accelerations grow with the height of the release, and "
-        "scatter with it. Indices, period and decrements hardly do, but where friction or a reflex "
-        "acts."
-    )
-
-
-def of_mixed_ends(test: PendulumTest) -> str | None:
-    """That first swings end at a halt in some drops and not in others, which no mean of them is of;
-    None where they end alike.
-    """
-    if INDEX not in test.average:
-        return None
-    alike = [drop for drop in test.drops if drop.name in test.average[INDEX].drops]
-    ends = [[drop for drop in alike if drop.ends_above == above] for above in (True, False)]
-    if not all(ends):
-        return None
-    halted, lowest = map(over, ends)
-    return (
-        "Amplitude and indices of the first swing, and what follows it, mix two kinds of ends: "
-        f"where the leg first turns back, as by a stretch reflex, in {halted}; at its lowest angle "
-        f"in {lowest} (mean relaxation index). Compare drops that end alike."
-    )
-
-
-def of_unlike_rests(test: PendulumTest) -> str | None:
-    """Whose swings shrink to another angle than those of most; None where none do."""
-    alike = test.average[EXPECTED].drops if EXPECTED in test.average else ()
-    rests = {drop.name: rest_of(drop) for drop in test.drops if drop.name in alike}
-    usual = float(median(rest for rest, _ in rests.values())) if len(rests) > 2 else 0.0
-    unlike = {
-        name: rest
-        for name, (rest, error) in rests.items()
-        if len(rests) > 2 and abs(rest - usual) > max(ALIKE, SURE * error)
-    }
-    if not unlike:
-        return None
-    where = ", ".join(f"{rest:.0f} deg in segment {name}" for name, rest in unlike.items())
-    return (
-        f"Swings shrink to {where}, and to about {usual:.0f} deg in the others. A relaxed leg "
-        "hangs alike in all: a muscle or a hand held it while it swung; its indices are of that."
-    )
-
-
-def rest_of(drop: Drop) -> tuple[float, float]:
-    """The angle that its swings shrink to, as its expected index has it, and its error [deg]."""
-    index = drop.measures[EXPECTED]
-    start, swing, found = (drop.measures[name].value or 0.0 for name in (START, SWING, EXPECTED))
-    amplitude = degrees(swing) / found
-    return degrees(start) - amplitude, amplitude * (index.standard_error or 0.0) / found
-
-
-def over(drops: list[Drop]) -> str:
-    """Some segments, and their mean relaxation index."""
-    read = [each for drop in drops if (each := drop.measures[INDEX].value) is not None]
-    return f"segment {', '.join(each.name for each in drops)} ({sum(read) / len(read):.3g})"
 
 
 def value(each: Measure) -> str:
