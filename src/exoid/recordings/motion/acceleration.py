@@ -113,8 +113,10 @@ def gripped_at(seen: "Derivatives", free: slice, limit: int, law: Law) -> int | 
 
 
 def pushed_at(seen: "Derivatives", free: slice, limit: int, law: Law, least: float) -> int | None:
-    """The first sample from `free` to `limit` that is `least` rad/s^2 from the law for sure."""
-    last = within(seen, free).stop
+    """The first sample from `free` to `limit` that is `least` rad/s^2 from the law for sure, and
+    around which a whole window was recorded.
+    """
+    last, limit = within(seen, free).stop, min(limit, seen.whole)
     table = seen.table[last:limit]
     unsure = SURE * np.sqrt(np.einsum("ti,ti->t", table @ law.scatter, table))
     pushed = np.abs(seen.acceleration[last:limit] - table @ law.numbers) > least + unsure
@@ -126,7 +128,8 @@ def kept_there(seen: "Derivatives", free: slice, rest: slice, law: Law | None = 
     law = own_law(seen, free.start, free.stop) if law is None else law
     if law is None:
         return False
-    inside = slice(int(seen.time.searchsorted(seen.time[rest.start] + LATE)), rest.stop)
+    since = int(seen.time.searchsorted(seen.time[rest.start] + LATE))
+    inside = slice(since, min(rest.stop, seen.whole))
     table = seen.table[inside]
     if not table.size:
         return False
@@ -151,6 +154,13 @@ class Derivatives:
     def table(self) -> NDArray[np.float64]:
         """The columns of the law: (sample, number)."""
         return np.stack([np.ones(self.angle.size), np.cos(self.angle), self.angle, self.speed], 1)
+
+    @cached_property
+    def whole(self) -> int:
+        """One past the last sample around which a whole window was recorded: what is told of those
+        after it, a line goes straight on for, where a leg turns.
+        """
+        return within(self, slice(0, None)).stop
 
     @cached_property
     def greatest(self) -> float:

@@ -69,11 +69,20 @@ def swings_of(speed: Speed, signal: Signal, bounds: Bounds) -> Swings:
     smooth, begin, rest = smoothed(signal, speed.width)[0], bounds.begin, bounds.rest
     end = signal.time.size - 1 if rest is None else rest[0]
     turns = [begin + at for at in reversals(smooth[begin : end + 1], bounds.least)]
-    last = float(smooth[end]) if rest is None else quantile(smooth[slice(*rest)])
+    last = float(smooth[whole(signal, end, speed.width)])
+    last = last if rest is None else quantile(smooth[slice(*rest)])
     at, angle = [begin, *turns, end], [*smooth[[begin, *turns]].tolist(), last]
     if begin == 0 and abs(speed.velocity[0]) > speed.still and turns:
         at, angle = at[1:], angle[1:]  # it began within a swing
     return Swings(at, angle, bounds)
+
+
+def whole(signal: Signal, end: int, width: float) -> int:
+    """The last sample up to `end` around which a whole window was recorded: a line goes straight on
+    where a leg that turns does not.
+    """
+    last = np.searchsorted(signal.time, signal.time[-1] - width / 2, side="right") - 1
+    return min(int(last), end)
 
 
 def great_swing(signal: Signal, speed: Speed) -> tuple[int, int]:
