@@ -3,9 +3,11 @@
 import numpy as np
 import pytest
 
-from exoid.pendulum.drift import moving
+from exoid.pendulum.drift import moving, read_off
 from exoid.pendulum.drops import measure_drops
 from exoid.pendulum.slope import Slope
+from exoid.recordings.landmarks.find_landmarks import find_landmarks
+from exoid.recordings.landmarks.track import track_of
 from swings import HOLD, Oscillator, recorded
 
 LEG = Oscillator()
@@ -49,6 +51,22 @@ def test_errors_hold_that_the_leg_itself_may_move_so(rate):
     assert found.standard_error is not None
     recorded_as = LEG.rest + np.radians(rate) * 13.0  # in the middle of what it rests, about
     assert abs(recorded_as - found.value) < 2 * found.standard_error
+
+
+def test_what_is_taken_off_an_angle_leaves_its_hold_as_still_as_it_was():
+    """Less a line from the first sample on, a hold that is still would move, as if let go early."""
+    angle = LEG.angle(TIME - HOLD) + drifting(-0.7)(np.maximum(TIME - HOLD, 0.0))
+    angle = angle + NOISE * np.random.default_rng(1).normal(size=TIME.size)
+    track, read = track_of(recorded(angle, TIME).segments[0], NOISE), []
+
+    def find(each):
+        read.append(each)
+        return find_landmarks(each)
+
+    assert read_off(track, find).drift == pytest.approx(np.radians(-0.7), abs=np.radians(0.05))
+    taken = track.angle - read[1].angle
+    assert np.ptp(taken[track.time < HOLD - 0.05]) < 1e-12
+    assert taken[-1] - taken[0] == pytest.approx(np.radians(-0.7) * LASTING, rel=0.1)
 
 
 def test_a_leg_that_sinks_as_it_hangs_is_read_as_it_is_with_errors_that_hold_a_drift():

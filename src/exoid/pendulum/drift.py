@@ -9,6 +9,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import degrees, hypot
 
+import numpy as np
+
 from exoid.pendulum.catalogue import measures
 from exoid.pendulum.slope import Slope, slope_at_rest, slope_of_swings
 from exoid.recordings.landmarks.landmarks import Landmarks
@@ -51,7 +53,8 @@ def read_off(track: Track, find: Callable[[Track], Landmarks]) -> Reading:
     moves = moving(slope_of_swings(found.free_turns), hanging)
     if moves is None:
         return plain
-    line = moves.slope.value * (track.time - track.time[0])
+    since = np.maximum(track.time, found.begin) - track.time[0]  # a line would move the hold
+    line = moves.slope.value * since
     try:
         level = find(replace(track, angle=track.angle - line))
     except NotAllowed:
