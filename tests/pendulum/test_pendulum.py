@@ -182,7 +182,7 @@ def test_a_record_that_begins_in_motion_says_nothing_of_the_release(exact):
     assert refused(found) == NEEDS_RELEASE
     speed = -np.degrees(Oscillator().velocity(segment.time[kept][0] - HOLD))
     assert "begins in motion" in found["relaxation_index"].reason
-    said = float(found["relaxation_index"].reason.split(" deg/s")[0].split()[-1])
+    said = float(found["relaxation_index"].reason.split(" ± ")[0].split()[-1])
     assert said == pytest.approx(speed, rel=0.01)  # from the samples after it alone
     for name in found.keys() - NEEDS_RELEASE:
         assert found[name].value == pytest.approx(exact[name].value, rel=1e-3)
@@ -340,6 +340,18 @@ def test_a_rig_let_go_below_its_rest_is_read_from_the_top_that_it_swings_to(hold
     assert found["period"].value == pytest.approx(below.period, rel=5e-4)
     decrement = found["logarithmic_decrement_1"]
     assert abs(decrement.value - below.decrement) < 4 * decrement.standard_error < 0.02
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_how_fast_a_record_begins_is_told_within_its_error(seed):
+    recording = drop(noise=0.001, seed=seed)
+    (segment,) = recording.segments
+    kept = segment.time > HOLD + 0.2
+    late = recorded(segment.raw_angle[kept], segment.time[kept], noise=0.001)
+    said = only(late)["relaxation_index"].reason.split(" at ")[1].split(" deg/s")[0]
+    speed, error = map(float, said.split(" ± "))
+    true = -np.degrees(Oscillator().velocity(segment.time[kept][0] - HOLD))
+    assert abs(speed - true) < 3 * error < 0.1 * true
 
 
 def test_a_real_knee_gives_what_knees_give(shared):

@@ -32,6 +32,7 @@ LATE = 0.025  # s by which the first sample may come after the release
 NEAR, LATER = 0.03, 0.15  # s around the release that are tried: a hand that gives way by 2 deg/s
 # before it lets go looks like the first of a fall
 STEP = 0.001  # s between the tried times of release
+BLURRED = np.radians(3.0)  # rad/s of error, from which on a first speed is of twice the samples
 FALLING, HELD = (0, 1, 2, 3, 4, 5), (2, 3)  # powers of x that are followed after and before t0
 BY_HAND = (1, 6, 7)  # of these coefficients, those that a hand makes: speed, and what bends a hold
 SWAYS = tuple(np.radians((1.2, 0.6, 0.3)))  # rad, of each: 4 deg/s, as a hand trembles or gives way
@@ -87,8 +88,12 @@ def about(track: Track, extent: Extent) -> tuple[float, float, float]:
         return extent.release, first, NEAR + SURE * extent.release_error
     begun, error = (float(each[0]) for each in local(track, track.time[[0]]).derivative(1))
     if abs(begun) > MOTION_SPEED + SURE * error:
+        if error > BLURRED:
+            wide = local(track, track.time[[0]], half=2 * HALF).derivative(1)
+            begun, error = (float(each[0]) for each in wide)
+        speed, unsure = np.degrees([abs(begun), error])
         raise NotAllowed(
-            f"begins in motion, at {abs(np.degrees(begun)):.0f} deg/s: the release was not "
+            f"begins in motion, at {speed:.0f} ± {unsure:.0f} deg/s: the release was not "
             "recorded. Hold the leg still for a second before you let go"
         )
     return first, first - LATE, NEAR
