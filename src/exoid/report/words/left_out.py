@@ -20,7 +20,10 @@ def left_out(segments: Sequence[SegmentFit]) -> str:
 def behind_hands(segments: Sequence[SegmentFit]) -> str:
     """The drops that a hand or a muscle ended."""
     names = [each.name for each in segments if each.caught is not None]
-    behind = f"segment {', '.join(names)} from where a hand or muscle stopped or moved it"
+    behind = (
+        f"segment {', '.join(names)} from where it no longer swings as it did: a hand or a muscle "
+        "stopped or moved it, or samples are lost or their times wrong"
+    )
     return behind if names else ""
 
 
