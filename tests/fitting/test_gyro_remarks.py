@@ -132,6 +132,15 @@ def test_a_delay_is_not_taken_for_an_angle_that_is_fused(late):
     assert ("fused from" in said) == (late == 0.01)  # too small to be told from that
 
 
+def test_a_delay_is_as_long_while_the_leg_is_let_go():
+    """Its larger half is one fall, and a gyro that is late shows none at its begin yet."""
+    time, angle, velocity = fall((27.0, 4.0, 2.3), start=-0.3, duration=5.0, step=0.0025)
+    beside = beside_gyro(angle, np.interp(time - 0.006, time, velocity))
+    assert late_gyro(beside) == pytest.approx(0.006, rel=0.03)
+    (said,) = of_late_gyro(beside)
+    assert "as no delay is" not in said
+
+
 def test_a_raw_gyro_beside_a_filtered_angle_is_said_to_be_unused():
     (swung,) = swing()
     whole = swung.segment

@@ -1,5 +1,7 @@
 """Encoder against gyro, before any dynamics."""
 
+from dataclasses import replace
+
 import equinox as eqx
 import numpy as np
 import pytest
@@ -13,6 +15,7 @@ from exoid.mismatch.sensors.consistency import consistency, segment
 from exoid.mismatch.sensors.faults import USUAL
 from exoid.mismatch.sensors.strikes import strikes
 from fit_cases import DROP, recorded
+from legs import drop, fall, recording
 
 TRUE = {"gyro_scale": -0.128, "gyro_bias": 0.01, "sensor_skew": 0.006}
 
@@ -159,6 +162,29 @@ def test_a_delay_is_as_long_in_small_swings():
         assert not any(
             one.by_size for one in consistency(spoiled(seen(), delay=late), Yardstick).errors
         )
+
+
+@pytest.mark.parametrize("late", [0.005, 0.006, 0.008])
+def test_a_delay_is_as_long_in_the_first_fall_of_a_leg_that_hardly_swings(late):
+    """Its larger half ends in full flight: a sample that the gyro's shift leaves without a rate
+    was taken there for a leg at rest.
+    """
+    falls = [fall((26.0, 4.0, 2.3), start=start) for start in (-0.45, -0.2, -0.3)]
+    shown = [drop((26.0, 4.0, 2.3), start=fell[1][0], seed=seed) for seed, fell in enumerate(falls)]
+    delayed = [
+        replace(
+            each,
+            raw_angular_velocity=each.raw_angular_velocity
+            - velocity
+            + np.interp(time - late, time, velocity),
+        )
+        for each, (time, _, velocity) in zip(shown, falls, strict=True)
+    ]
+    session = recording(*delayed)
+    observation = observe([movement(session, k, str(k)) for k in range(3)], "1/T")
+    errors = {one.name: one for one in consistency(observation, Yardstick).errors}
+    assert errors["sensor_skew"].value == pytest.approx(late, rel=0.02)
+    assert not errors["sensor_skew"].by_size
 
 
 def test_a_clock_that_differs_from_drop_to_drop_is_told():

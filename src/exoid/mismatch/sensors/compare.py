@@ -10,6 +10,7 @@ from exoid.mismatch.sensors.smooth import (
     Reference,
     Samples,
     Smoother,
+    reweighed,
     smooth,
     smoothed,
     smoother_of,
@@ -76,8 +77,9 @@ def compare(
         found, smoothers = in_one_round(cleaned, motions, faults, values, struck)
         values = found.values
         cleaned = with_right_gyros(segments, motions, faults, values)
-        motions = [
-            smoothed(one, data) for one, (_, data, _) in zip(smoothers, cleaned, strict=True)
+        motions = [  # a gyro that is moved by a row leaves one at an end without
+            smoothed(reweighed(one, weights), data)
+            for one, (_, data, weights) in zip(smoothers, cleaned, strict=True)
         ]
     assert found is not None  # there are rounds
     return Compared(faults, values, found.normal, found.left, found.samples, motions)

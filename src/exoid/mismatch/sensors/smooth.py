@@ -49,6 +49,7 @@ class Smoother:
         step = np.diff(time)
         change = jerk * step * np.where(struck, FREE, 1.0)
         self.size, self.weights = time.size, weights
+        self.made_of = time, jerk, struck
         self.relations = relations(step, change)
         self.log_scale = float(np.sum(np.log(change)))
         normal = banded(self.relations, self.size)
@@ -169,6 +170,12 @@ def smoother_of(time: Samples, weights: Pairs, jerk: float, struck: Steps) -> Sm
         return Smoother(time, weights, jerk, struck)
     except LinAlgError:  # steps that are much shorter than most
         return None
+
+
+def reweighed(smoother: Smoother, weights: Pairs) -> Smoother:
+    """The same where other samples were measured."""
+    time, jerk, struck = smoother.made_of
+    return smoother_of(time, weights, jerk, struck) or smoother
 
 
 def smoothed(smoother: Smoother, data: Pairs) -> Reference:

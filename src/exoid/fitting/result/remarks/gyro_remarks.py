@@ -107,7 +107,7 @@ def pulled_by_tilt(each: Movement, reach: float) -> np.ndarray:
     across = GRAVITY * np.cos(angle) + reach * change
     off = np.arctan2(along, across) - angle
     off = local_line(time, np.arctan2(np.sin(off), np.cos(off)), SMOOTHING)[0]
-    return off[~np.isnan(each.angle) & ~np.isnan(rate)]
+    return off[told_by(each)]
 
 
 def of_rocking(movements: Sequence[Movement]) -> str | None:
@@ -187,15 +187,25 @@ def left_of(rate: np.ndarray, columns: np.ndarray) -> tuple[float, np.ndarray]:
 
 
 def pair_of(each: Movement) -> np.ndarray:
-    """The angle's slope, the gyro's rate and how that changes, smoothed alike, where both were
-    measured.
-    """
+    """The angle's slope, the gyro's rate and how that changes, smoothed alike, where both tell."""
     assert each.angular_velocity is not None  # it has a gyro's noise
     time = each.segment.time
     slope = local_line(time, each.angle, SMOOTHING)[1]
     rate, change = local_line(time, each.angular_velocity, SMOOTHING)
+    return np.stack([slope, rate, change])[:, told_by(each)]
+
+
+def told_by(each: Movement) -> np.ndarray:
+    """Where both were measured, but for the ends: of a line around a sample half is missing there,
+    and a gyro that is late does not show yet that the leg was let go.
+    """
+    assert each.angular_velocity is not None  # it has a gyro's noise
+    time = each.segment.time
     seen = ~np.isnan(each.angle) & ~np.isnan(each.angular_velocity)
-    return np.stack([slope, rate, change])[:, seen]
+    if not seen.any():
+        return seen
+    first, last = time[seen][[0, -1]]
+    return seen & (time >= first + SMOOTHING / 2) & (time <= last - SMOOTHING / 2)
 
 
 def scale_of(movements: Sequence[Movement]) -> float | None:
