@@ -5,11 +5,12 @@ import numpy as np
 from exoid.fitting.data.conditioning_chain import SteadyKalman
 from exoid.fitting.misfit.disturbance.torque_noise import torque_noise
 from exoid.fitting.misfit.missed import Disturbance
+from exoid.fitting.multistart.by_angle import missed_by_angle
 from exoid.fitting.multistart.search_result import FEASIBLE, SearchResult, scale_told
 from exoid.fitting.result.remarks.gyro_remarks import how_late, of_late_gyro, of_unused_gyro
 from exoid.fitting.result.remarks.limit_remarks import of_bounds
 from exoid.fitting.result.remarks.noise_remarks import noise_remarks
-from exoid.fitting.result.remarks.residual_remarks import of_kinds, of_residual
+from exoid.fitting.result.remarks.residual_remarks import of_angle, of_kinds, of_residual
 from exoid.fitting.result.remarks.stopped_remarks import of_kept, of_stopped
 from exoid.fitting.result.remarks.upwards_remarks import of_impossible
 from exoid.fitting.solve.problem import Problem
@@ -75,6 +76,8 @@ def remarks(
         torque = torque_noise(problem.movements)
         said += of_residual(ended.disturbance, gravity, inertia, float(unit), torque)
     said += late
+    if late:
+        said += of_angle(missed_by_angle(problem, ended.best), gravity, inertia)
     if rig and "stiffness" not in problem.absent:
         said.append(
             "on a rig the spring term c phi also takes up a constant torque and an encoder zero "

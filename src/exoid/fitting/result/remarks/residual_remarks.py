@@ -76,28 +76,22 @@ def of_missed(
     found: Missed, where: str, gravity: float, inertia: float | None, unit: float
 ) -> list[str]:
     """The same of one kind of segment, or of all."""
-    over = f"varying within about {found.correlation_time:g} s"
-    if found.correlation_time == CORRELATED[0]:
-        over = "varying from moment to moment"
     widened = f"Errors are widened for it; {INCOMPLETE}, and 'exoid diagnose' asks what it misses."
     if found.cause == "torque":
-        each = [f"{100 * found.deviation / abs(gravity):.2g} % of m l g"] if gravity else []
-        each += [] if inertia is None else [f"{found.deviation * inertia:.2g} N m"]
-        share = ", ".join(each) or f"{found.deviation:.2g} rad/s^2 times J"
+        torque = as_torque(found, gravity, inertia)
         if slight(found, gravity):
             return [
-                f"{where} holds a little more than the sensors' noise, as an unknown torque of "
-                f"about {share}, {over}, would leave it. Errors are widened for it."
+                f"{where} holds a little more than the sensors' noise, as {torque}, would leave "
+                "it. Errors are widened for it."
             ]
         return [
             f"{where} is more than the sensors' noise: the model misses something. It is what "
-            f"an unknown torque of about {share}, {over}, would leave. {widened}"
+            f"{torque}, would leave. {widened}"
         ]
     if found.cause == "encoder":
         return [
-            f"{where} is more than the sensors' noise: it is what an encoder that errs by "
-            f"about {np.degrees(found.deviation):.2g} deg, {over}, or a thigh or base that turns "
-            f"under it, would leave. {widened}"
+            f"{where} is more than the sensors' noise: it is what {as_encoder(found)}, would "
+            f"leave. {widened}"
         ]
     if found.noise > max(NOISY / unit, 1.0):  # 1 where it is not larger, or is less
         return [
@@ -106,6 +100,45 @@ def of_missed(
             "levels and time stamps."
         ]
     return []
+
+
+def of_angle(found: Disturbance, gravity: float, inertia: float | None) -> list[str]:
+    """What the model misses of the angle alone, where the sensors lie apart: an error of the
+    encoder, which stands for that, is no torque, and takes what is.
+    """
+    told = [each for each in found.kinds.values() if each.cause and not slight(each, gravity)]
+    if not told:
+        return []
+    torque = told[0].cause == "torque"
+    alike = as_torque(told[0], gravity, inertia) if torque else as_encoder(told[0])
+    return [
+        "the angle by itself is more than its noise, too: the model misses something beside that. "
+        f"It is what {alike}, would leave. The numbers may be off by more than ± says: "
+        f"{INCOMPLETE}, and 'exoid diagnose' asks what it misses."
+    ]
+
+
+def as_torque(found: Missed, gravity: float, inertia: float | None) -> str:
+    """The torque that is missed."""
+    each = [f"{100 * found.deviation / abs(gravity):.2g} % of m l g"] if gravity else []
+    each += [] if inertia is None else [f"{found.deviation * inertia:.2g} N m"]
+    share = ", ".join(each) or f"{found.deviation:.2g} rad/s^2 times J"
+    return f"an unknown torque of about {share}, {lasting(found)}"
+
+
+def as_encoder(found: Missed) -> str:
+    """The error of the angle that is missed."""
+    return (
+        f"an encoder that errs by about {np.degrees(found.deviation):.2g} deg, {lasting(found)}, "
+        "or a thigh or base that turns under it"
+    )
+
+
+def lasting(found: Missed) -> str:
+    """How soon what is missed becomes another."""
+    if found.correlation_time == CORRELATED[0]:
+        return "varying from moment to moment"
+    return f"varying within about {found.correlation_time:g} s"
 
 
 def of_kinds(found: Disturbance) -> list[str]:
