@@ -4,13 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from exoid.fitting.result.estimates.torque_zero import variance_left
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.estimates.moved import variance_left
 from exoid.fitting.result.remarks.residual_remarks import EXPLAINED
-from exoid.fitting.result.systematics.torque_zero import variance_left
 from exoid.recordings.declared.protocol import Protocol
 from exoid.recordings.declared.sensors import Sensors
 from exoid.recordings.declared.subject import Subject

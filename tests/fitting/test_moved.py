@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.misfit.uncertainty import Information
-from exoid.fitting.result.estimates.moved import Moved
-from exoid.fitting.result.systematics.moves import moved_with
+from exoid.fitting.result.estimates.moved import Moved, moved_with
 
 REST, GRAVITY, DAMPING = np.eye(3)
 VARIANCE, TOGETHER = 0.04, 0.03  # of the rest angle, and of it with gravity

@@ -17,6 +17,7 @@ from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.estimates.gainless import whatever_gain
 from exoid.fitting.result.estimates.information import information_at, leans
+from exoid.fitting.result.estimates.moved import moved
 from exoid.fitting.result.estimates.scale import goes_with_scale, with_reasons
 from exoid.fitting.result.estimates.terms import estimate_terms
 from exoid.fitting.result.estimates.torque import estimate_torque
@@ -25,7 +26,6 @@ from exoid.fitting.result.mountings import beyond_belief, estimate_mountings, nu
 from exoid.fitting.result.remarks.limit_remarks import limits_met
 from exoid.fitting.result.remarks.rig_words import of_rig
 from exoid.fitting.result.segment_fit import SegmentFit, pooled
-from exoid.fitting.result.systematics.moves import moved
 from exoid.fitting.result.untold import with_slack
 from exoid.fitting.solve.problem import Problem
 from exoid.recordings.conventions.jumps import jumping
@@ -75,9 +75,8 @@ def describe(
         astray=why_astray(problem, ended, segments, at_bound),
         basis=basis,
     )
-    numbers = partial(numbers_at, problem)
-    told, rate, slack = doubted(result, basis, leg, numbers)
-    said = notes(told, basis, numbers, at_bound, rate, slack)
+    told, rate, slack = doubted(result, basis, leg, partial(numbers_at, problem))
+    said = notes(told, basis, at_bound, rate, slack)
     return with_slack(replace(told, notes=said), slack)
 
 

@@ -13,7 +13,6 @@ from exoid.fitting.result.remarks.rig_words import of_rig
 from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.fitting.result.remarks.zero.far_zeros import of_far_zeros
 from exoid.fitting.result.remarks.zero.leaning import Leaning
-from exoid.fitting.result.remarks.zero.slack_angle import Numbers, slack_angle_remarks
 from exoid.fitting.result.remarks.zero.slack_words import slack_angle_remarks
 from exoid.fitting.result.systematics.granted import granted
 from exoid.fitting.result.systematics.limiting import limiting
@@ -23,20 +22,14 @@ WIDENED = "Errors are widened for it: record the leg without it, if that can be.
 
 
 def notes(
-    result: FitResult,
-    basis: Basis,
-    numbers: Numbers,
-    at_bound: set[str],
-    rate: float,
-    slack: Leaning | None,
+    result: FitResult, basis: Basis, at_bound: set[str], rate: float, slack: Leaning | None
 ) -> list[str]:
     """What the user should know of a fit whose times may be off by a share `rate`, in the words of
-    its leg or rig; of one that does not follow what does not hang on it. `numbers` are a result's
-    at a point.
+    its leg or rig; of one that does not follow what does not hang on it.
     """
     problem = basis.problem
     if result.astray is not None:
-        said = of_refused(result.astray, basis, numbers)
+        said = of_refused(result.astray, basis)
     else:
         said = of_a_fit(result, basis, at_bound, rate, slack)
     return [of_rig(each) for each in said] if problem.belief.rig else said

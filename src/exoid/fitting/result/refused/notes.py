@@ -16,8 +16,7 @@ from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.refused.own_swing import own_swing, rests
 from exoid.fitting.result.remarks.gyro_remarks import scale_of
 from exoid.fitting.result.remarks.remarks import as_taken, of_astray
-from exoid.fitting.result.remarks.zero.leaning import Leaning
-from exoid.fitting.result.remarks.zero.slack_angle import Numbers, leaning, of_missed, shown_slack
+from exoid.fitting.result.remarks.zero.slack_angle import shown_slack
 from exoid.fitting.result.remarks.zero.slack_words import of_missed
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.anatomy.likeness import pendulum_length
@@ -67,16 +66,13 @@ DRIVEN = (
 )
 
 
-def of_refused(why: str, basis: Basis, numbers: Numbers) -> list[str]:
-    """That it is not followed, what it shows of itself, and what may be behind it; `numbers` are a
-    result's at a point.
-    """
+def of_refused(why: str, basis: Basis) -> list[str]:
+    """That it is not followed, what it shows of itself, and what may be behind it."""
     problem, ended = basis.problem, basis.ended
     movements, rig = problem.movements, problem.belief.rig
     seat = turned_away(problem, ended)
     return [
         *of_astray(why, problem),
-        *of_missed(missed_as_slack(basis, numbers)),
         *of_slack(basis),
         *of_sensors(movements),
         *([] if rig else of_swing(problem.belief, movements)),
@@ -85,13 +81,6 @@ def of_refused(why: str, basis: Basis, numbers: Numbers) -> list[str]:
         of_causes({each.kind for each in movements}, rig=rig, seat=seat),
         *as_taken(problem, ended.disturbance),
     ]
-
-
-def missed_as_slack(basis: Basis, numbers: Numbers) -> Leaning | None:
-    """What a slack spring would make of the fit; None where kinds of segments are weighed apart."""
-    if basis.ended.disturbance.apart:
-        return None
-    return leaning(basis.problem, basis.ended, basis.information.open, numbers)
 
 
 def of_slack(basis: Basis) -> list[str]:
