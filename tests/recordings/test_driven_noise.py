@@ -59,6 +59,11 @@ def test_a_motor_that_is_quicker_than_a_leg_is_not_called_smoothed(rate, frictio
     assert found.level == pytest.approx(np.hypot(NOISE, step / np.sqrt(12)), rel=0.15)
 
 
+def test_a_camera_too_slow_to_tell_a_quick_motion_from_smoothed_errors_claims_none():
+    time, angle, torque = turned(25, FRICTION)
+    assert cleaned(time, angle + shaken(time.size), torque).alike_over == 0
+
+
 @pytest.mark.parametrize("how", ["mean", "Butterworth", "lines"])
 def test_an_angle_of_a_motor_that_was_smoothed_is_told(how):
     time, angle, torque = turned(200, FRICTION)

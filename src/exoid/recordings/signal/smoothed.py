@@ -131,16 +131,17 @@ def smoothed(
 
 def flattens(tried: NDArray[np.int_], excess: Samples, first: int, steepest: float) -> float:
     """The last stride where an excess over white noise is flat, or flattest: grown little since
-    neighbours `WIDER` times as near. 0 where it grows more steeply everywhere, no limit where
-    nothing tells.
+    neighbours `WIDER` times as near; 0 where it grows more steeply everywhere, or nothing tells.
 
     What neighbours miss of a motion grows with the sixth power of their distance, and beside a turn
     of friction with the square, ever more often; noise flattens beyond its filter.
     """
     before = np.searchsorted(tried, tried / WIDER, side="right") - 1
     pairs = np.flatnonzero((before >= first) & ~np.isnan(excess))
-    if steepest == np.inf or not pairs.size:
+    if steepest == np.inf:
         return np.inf
+    if not pairs.size:
+        return 0.0
     before = before[pairs]
     grown = np.log(excess[pairs] / excess[before]) / np.log(tried[pairs] / tried[before])
     flat = pairs[grown <= max(grown.min(), FLAT)]

@@ -11,7 +11,7 @@ from exoid.recordings.measured.samples import usual_step
 from exoid.recordings.signal.noise import noise_of
 
 WHOLE = 16 / (3 * sqrt(5))  # correlation times, of the integral over a Matern 5/2 covariance
-LIKE = 3.0  # times the power of the noise, up to which it explains what was found
+LIKE = 4.0  # times the power of the noise, up to which it explains what was found
 FAINT = 0.25  # of how much a torque varies, that is its sensor's noise at most, not a noisy drive
 
 
