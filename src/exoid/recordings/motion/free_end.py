@@ -4,6 +4,8 @@ The swings of a free leg lie within each other, and each is about as long as the
 it. A turning point outside, a swing that is cut short, or a movement out of rest is a hand's.
 """
 
+from dataclasses import replace
+
 import numpy as np
 
 from exoid.recordings.measured.samples import Samples, quantile, usual_step
@@ -22,6 +24,8 @@ from exoid.recordings.motion.swings import Swings, cut_short, outside
 from exoid.recordings.motion.thresholds import BRIEF, KEPT, LATE, PUSH, UNSEEN
 from exoid.recordings.remembered import remembered
 from exoid.recordings.signal.condition import runs
+
+AS_BEFORE, UNEVEN = 2, 0.1  # swings, and the share by which these differ, of a leg that nobody has
 
 
 def free_end(
@@ -55,9 +59,11 @@ def hand_in(seen: Swings, moves: Derivatives) -> End | None:
         end = caught(moves, sure, seen.at[place])
         swing = abs(seen.angle[place - 1] - seen.angle[place - 2])
         return before_lift(moves, sure, end) if swing < unseen(moves, sure) else end
-    early = brought_to_rest(course_of(seen, time))
+    course = course_of(seen, time)
+    early = brought_to_rest(course)
     if early is not None:
-        return caught(moves, slice(seen.bounds.free, seen.at[early - 1] + 1), seen.at[early])
+        sure = slice(seen.bounds.free, seen.at[early - 1] + 1)
+        return with_clock(caught(moves, sure, seen.at[early]), course, early)
     if rest is None:
         return None
     if cut_short(seen.angle):
@@ -68,6 +74,21 @@ def hand_in(seen: Swings, moves: Derivatives) -> End | None:
         stop = max(min(left, kept), rest[0])
         return End(stop, "at rest", "the leg came to rest, then was moved", max(left, rest[0]))
     return None
+
+
+def with_clock(end: End, course: Course, early: int) -> End:
+    """The same end of a leg that swings on from that swing as before, but in another time, as none
+    does that a hand has taken: then its times may be wrong.
+    """
+    before, after = course.lasting[1:early], course.lasting[early:-1]
+    if min(before.size, after.size) < AS_BEFORE or np.ptp(after) > UNEVEN * after.max():
+        return end
+    shrunk = [np.diff(np.log(part)).mean() for part in (course.size[:early], course.size[early:-1])]
+    if abs(shrunk[1] - shrunk[0]) > UNEVEN:
+        return end
+    share = float(np.median(after) / np.median(before))
+    said = f"its swings take {share:.2g} times as long as before, and shrink as before"
+    return replace(end, why=f"{end.why}, or its times are wrong from there on ({said})")
 
 
 def course_of(seen: Swings, time: Samples) -> Course:

@@ -18,12 +18,10 @@ def left_out(segments: Sequence[SegmentFit]) -> str:
 
 
 def behind_hands(segments: Sequence[SegmentFit]) -> str:
-    """The drops that a hand or a muscle ended."""
+    """The drops that a hand or a muscle ended, or seems to where samples are lost."""
     names = [each.name for each in segments if each.caught is not None]
-    behind = (
-        f"segment {', '.join(names)} from where it no longer swings as it did: a hand or a muscle "
-        "stopped or moved it, or samples are lost or their times wrong"
-    )
+    segment = f"segment {', '.join(names)}"
+    behind = f"{segment} from where it swings otherwise (hand, muscle, lost samples or times)"
     return behind if names else ""
 
 
