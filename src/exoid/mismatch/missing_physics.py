@@ -17,7 +17,7 @@ from exoid.mismatch.conclude.choose import Chosen, choose
 from exoid.mismatch.conclude.formulated import formulated
 from exoid.mismatch.conclude.plainest import plainest
 from exoid.mismatch.conclude.sensor_faults import with_faults_told
-from exoid.mismatch.conclude.unusual_zero import as_a_term, unusual
+from exoid.mismatch.conclude.unusual_zero import as_a_term, odder, unusual
 from exoid.mismatch.conclude.verdict.cannot_tell import too_little
 from exoid.mismatch.conclude.verdict.conclusion import concluded
 from exoid.mismatch.conclude.verdict.moved_by_tone import moved_by_tone
@@ -110,8 +110,8 @@ def asked(
     found, best = with_faults_told(found, chosen.best)
     if prepared.common:
         chosen = Chosen(best, *(predict(prepared, one) for one in (found.base, best)))
-    if formula is None and unusual(found, chosen.best):
-        found, best = as_a_term(found, chosen.best)
+    if formula is None and unusual(found, odd := odder(found, chosen.best)):
+        found, best = as_a_term(found, odd)
         chosen = Chosen(best, *(predict(found.prepared, one) for one in (found.base, best)))
     if formula is None and (plain := plainest(found, chosen.best)) is not chosen.best:
         chosen = replace(chosen, best=plain, after=predict(found.prepared, plain))

@@ -34,25 +34,42 @@ def unusual(found: Found, best: Optimum) -> bool:
     return bool(value > usual and value**2 > CERTAIN**2 * variance)
 
 
+def odder(found: Found, best: Optimum) -> Optimum:
+    """The best, or what explains more were its unusual zero a cause: that costs what any number
+    does, though it be farther off than a zero that nothing explains may be.
+    """
+    odd = [one for one in (*found.singles, *found.pairs) if unusual(found, one)]
+    return max([best, *odd], key=lambda one: as_told(found, one))
+
+
+def as_told(found: Found, one: Optimum) -> float:
+    """Its evidence were its zero a cause, where it is unusual."""
+    if not unusual(found, one):
+        return found.evidence(one)
+    measure, paid = found.yardstick, (float(one.candidate.zero[1]) / found.prepared.zero) ** 2
+    return measure.evidence(found.base.square, one.square - paid, size(one) + 1)
+
+
 def as_a_term(found: Found, best: Optimum) -> tuple[Found, Optimum]:
     """The zero as a term of the best and of its rivals, who are also tried without it, a baseline
     that has it as declared, what else may bend a motion as a zero does, beside the best and beside
     what is as good and no less simple, and what the best of all these does not need.
     """
     declared = replace(found.prepared, zero=0.0)
-    rivals = [one for one in (*found.singles, *found.pairs) if one is not best][:RIVALS]
+    others = [one for one in (*found.singles, *found.pairs) if one is not best]
+    rivals = sorted(others, key=found.evidence, reverse=True)[:RIVALS]
     starts = [without_zero(one.candidate) for one in (found.base, *rivals)]
     starts += [with_zero_told(one.candidate) for one in (best, *rivals)]
     base, *both = side_by_side(partial(settle_free, declared), starts)
     plain, named = both[: len(rivals)], both[len(rivals) :]
     simple = [one for one in rivals if size(one) <= size(best)]
     equal = [best, *(one for one in simple if not found.clear(one, best))]
-    others = [
+    instead_of_it = [
         other
         for one in equal
         for other in instead(declared, without_zero(one.candidate), AngleOffset, best.square)
     ]
-    first = [named[0], *others]
+    first = [named[0], *instead_of_it]
     first += without_one(declared, min(first, key=left_of))
     plain += first[1:]
     told = replace(found, prepared=declared)

@@ -33,7 +33,7 @@ from exoid.mismatch.search.pairs import (
 )
 from exoid.mismatch.search.race import simulated
 from exoid.mismatch.search.rank import by_evidence, fewest
-from exoid.mismatch.search.several import as_good, several, sticks, with_one_more
+from exoid.mismatch.search.several import as_good, relatives, several, sticks, with_one_more
 from exoid.mismatch.search.variants import (
     applies,
     in_simplest_form,
@@ -174,8 +174,8 @@ def truer_baseline(prepared: PreparedRecording, base: Optimum, best: Optimum) ->
 
 
 def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
-    """The same with sets where no pair is enough, and with what remains of them where one cause of
-    them is all it takes.
+    """The same with sets where no pair is enough, with what may act in the place of one cause of
+    those that are, and with what remains of them where one cause of them is all it takes.
     """
     prepared, base, joint = found.prepared, found.base, [*found.pairs]
     alone = least(base, *found.singles)
@@ -195,6 +195,7 @@ def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
     single = [*found.singles, *lone, *reduced(prepared, ordered(joint)[:1])]
     singles = by_evidence(single, base, found.yardstick)
     singles += nested(prepared, singles, usable)
+    joint += relatives(prepared, usable, joint, singles)
     measure = yardstick(prepared, least(base, *singles, *joint))
     joint = by_evidence(joint, base, measure)
     joint = [*(hopped(prepared, one) for one in joint[:1]), *joint[1:]]

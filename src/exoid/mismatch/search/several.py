@@ -1,5 +1,6 @@
 """Three and four causes at once, where no two of them explain what is missing."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from exoid.mismatch.evidence.measure import yardstick
@@ -14,6 +15,7 @@ from exoid.mismatch.search.variants import applies, in_simplest_form
 from exoid.physics.term import Term, busy
 
 MOST = 4  # causes of one recording
+PAIR = 2  # causes
 OTHERS = 2  # causes that are tried in the place of one
 NEXT = 3  # further causes that run free beside those at hand
 NEAREST = 6  # further causes that are looked at beyond the first order
@@ -40,6 +42,25 @@ def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
         return []
     rivals = simulated(prepared, with_another(prepared, usable, best), best.square)
     return [*found, *rivals, *without_one(prepared, best)]
+
+
+def relatives(
+    prepared: PreparedRecording,
+    usable: list[type[Term]],
+    joint: list[Optimum],
+    known: Sequence[Optimum],
+) -> list[Optimum]:
+    """Pairs with another cause in the place of one of the best, where that leaves only noise: what
+    was not asked is not refuted. Of more causes at once `several` asked them.
+    """
+    best = min(joint, key=lambda one: one.square, default=None)
+    pair = best is not None and len(best.candidate.terms) == PAIR + len(prepared.common)
+    if best is None or not pair or not enough(prepared, best.square):
+        return []
+    done = {frozenset(one.candidate.terms) for one in joint}
+    others = with_another(prepared, usable, best, known)
+    fresh = [one for one in others if frozenset(one.terms) not in done]
+    return simulated(prepared, fresh, best.square)
 
 
 def without_one(prepared: PreparedRecording, best: Optimum) -> list[Optimum]:
@@ -92,11 +113,16 @@ def more_than(prepared: PreparedRecording, best: Optimum, wider: list[Optimum]) 
 
 
 def with_another(
-    prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
+    prepared: PreparedRecording,
+    usable: list[type[Term]],
+    best: Optimum,
+    known: Sequence[Optimum] = (),
 ) -> list[Hypothesis]:
-    """The set with another cause in the place of one, where that may leave as little."""
-    common = len(prepared.common)
-    less = with_one_less(best.candidate, common)
+    """The set with another cause in the place of one, where that may leave as little; from where a
+    set without that one is `known` to end.
+    """
+    common, ended = len(prepared.common), {one.candidate.terms: one.candidate for one in known}
+    less = [ended.get(one.terms, one) for one in with_one_less(best.candidate, common)]
     seen = [
         beside(prepared, [each for each in usable if each is not out], fewer)[:OTHERS]
         for out, fewer in zip(best.candidate.terms[common:], less, strict=True)
