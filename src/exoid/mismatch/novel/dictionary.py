@@ -19,6 +19,7 @@ TIMES = (0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.5)  # s after the segment begins
 LASTING = (0.03, 0.08)  # s, of a kick
 FADES = (0.3, 1.0, 3.0)  # s
 SHARP = 0.02  # rad/s, over which a sign changes
+SATURATED = (0.3, 1.0)  # rad/s, from about where on a torque grows no more with the rate
 
 Shape = tuple[Any, ...]
 PLACE = ((-2.8, 0.4), (0.03, 0.8))  # rad
@@ -65,13 +66,13 @@ def reshaped(features: Sequence[Feature], row: Any) -> tuple[Feature, ...]:
 def in_words(value: float, unit: str) -> str:
     if unit == "rad":
         return f"{np.degrees(value):.0f} deg"
-    return f"{value:.2g} s" if unit == "s" else f"{value:.3g}"
+    return f"{value:.3g}" if unit == "1" else f"{value:.2g} {unit}"
 
 
 @cache
 def dictionary() -> tuple[Feature, ...]:
     """Every family at every shape where a search begins."""
-    families = (*plain(), *of_angle(), *of_time())
+    families = (*plain(), of_rate(), *of_angle(), *of_time())
     return tuple(Feature(family, shape) for family in families for shape in family.shapes)
 
 
@@ -97,6 +98,17 @@ def plain() -> list[Family]:
         Family("t x", lambda s, x, v, t, xp: t * x),
         Family("t v", lambda s, x, v, t, xp: t * v),
     ]
+
+
+def of_rate() -> Family:
+    """What grows with the rate up to some rate: between a damper and dry friction."""
+    return Family(
+        "tanh(v/{0})",
+        lambda s, x, v, t, xp: xp.tanh(v / s[0]),
+        shapes=tuple((rate,) for rate in SATURATED),
+        bounds=((0.05, 3.0),),
+        units=("rad/s",),
+    )
 
 
 def sign(velocity, xp):

@@ -26,7 +26,12 @@ def describe(prepared: PreparedRecording, base: Hypothesis) -> list[Formula]:
     Along a motion that the baseline has drifted from, a last feature may only mend the first.
     """
     rows = [lacking(prepared, base, number) for number in range(prepared.segments)]
-    basis = np.linalg.qr(baseline(prepared, rows))[0]
+    return formulas_beside(baseline(prepared, rows), rows)
+
+
+def formulas_beside(known: np.ndarray, rows: list[Missing]) -> list[Formula]:
+    """The same for what these segments lack beside the columns that are `known`."""
+    basis = np.linalg.qr(known)[0]
     target = beside(basis, np.concatenate([each.torque for each in rows])[:, None])[:, 0]
     starts = [each for each in dictionary() if met(each, rows)]
     left = beside(basis, table(starts, rows))
