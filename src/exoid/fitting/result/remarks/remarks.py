@@ -82,7 +82,9 @@ def remarks(
         said.append(
             "on a rig the spring term c phi also takes up a constant torque and an encoder zero "
             "that is off: read c / J as a spring only where a spring is known to be. Where none "
-            'is, [subject] spring = "none" leaves it out.'
+            'is, [subject] spring = "none" leaves it out. One that hangs from above or below the '
+            "axis pulls with the cosine of the angle, as gravity does: m l g holds that pull, too, "
+            "and no motion parts them."
         )
     if float(ended.best.violation[0]) > FEASIBLE:
         said.append("the limits could not all be met: see the bounds in the table.")

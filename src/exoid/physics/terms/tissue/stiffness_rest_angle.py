@@ -16,8 +16,9 @@ class StiffnessRestAngle(PhysicsTerm):
     title = "rest angle of the passive stiffness"
     reference = "Riener & Edrich, J Biomech 32(5), 1999"
     explanation = (
-        "The relaxed knee's spring is slack at another angle than full extension, where Eq. 9 has "
-        "it."
+        "The spring of a relaxed knee, or of a rig, is slack at another angle than full extension, "
+        "where Eq. 9 has it. One that hangs from above or below the axis pulls with the cosine of "
+        "the angle, as gravity does: m l g then holds that pull, too, and no motion parts them."
     )
     isolate = "the hanging angle without and with a known added mass"
     isolate_driven = "the angle at which the axis rests with the motor off"
