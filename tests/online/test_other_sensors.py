@@ -138,16 +138,18 @@ def filmed(seed: int) -> list[Segment]:
     return found
 
 
-def test_by_the_angle_of_a_camera_alone_no_number_leans_to_one_side():
-    """The mean of 24, over their errors, scatters by 1 / sqrt(24) = 0.2."""
-    lasts = [followed(filmed(seed))[1] for seed in range(24)]
+@pytest.mark.parametrize("draws", [8, pytest.param(24, marks=pytest.mark.proof)])
+def test_by_the_angle_of_a_camera_alone_no_number_leans_to_one_side(draws):
+    """The mean of 24, over their errors, scatters by 1 / sqrt(24) = 0.2, their size by 0.14."""
+    lasts = [followed(filmed(seed))[1] for seed in range(draws)]
+    more = np.sqrt(24 / draws)
     assert all(each.believed for each in lasts)
     off = [
         [(one.value - true) / one.error for one, true in zip(each.ratios, LEG, strict=True)]
         for each in lasts
     ]
-    assert np.abs(np.mean(off, axis=0)) == pytest.approx(0.0, abs=0.7)
-    assert np.sqrt(np.mean(np.square(off), axis=0)) == pytest.approx(1.0, abs=0.45)
+    assert np.abs(np.mean(off, axis=0)) == pytest.approx(0.0, abs=0.7 * more)
+    assert np.sqrt(np.mean(np.square(off), axis=0)) == pytest.approx(1.0, abs=0.45 * more)
 
 
 def test_a_movement_is_foreseen_with_the_sensors_that_are_there():
