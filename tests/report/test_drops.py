@@ -18,7 +18,8 @@ from exoid.report.document.drops_json import drops_document
 from exoid.report.pictures.drops import index
 from exoid.report.plots.drops import plot_drops
 from exoid.report.plots.fit import save_figure
-from exoid.report.tables.drops import MOST, print_drops, written
+from exoid.report.tables.drops import MOST, print_drops
+from exoid.report.words.drop import written
 from exoid.report.words.typeset import mathtext
 from reflexes import CHILD, thrown
 from swings import NOISE, Oscillator, drop, recorded

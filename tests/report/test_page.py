@@ -25,7 +25,7 @@ from exoid.report.parts.case import Case
 from exoid.report.saved.saved_result import load_result, save_result
 from exoid.report.sections.quality import described
 from exoid.report.sections.summary import LOST
-from exoid.report.tables.drops import unit_of, value
+from exoid.report.words.drop import unit_of, value
 from exoid.report.words.text import in_degrees, with_error
 from exoid.report.words.typeset import tidy, typeset
 

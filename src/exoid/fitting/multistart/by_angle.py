@@ -14,8 +14,12 @@ from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
 
-def missed_by_angle(problem: Problem, best: Solved) -> Disturbance:
-    """What is in the residual of the free fit near the `best` to the angles of all segments."""
+def missed_by_angle(problem: Problem, best: Solved, found: Disturbance) -> Disturbance | None:
+    """What is in the residual of the free fit near the `best` to the angles of all segments; None
+    where what was `found` in that to both sensors is no error of the encoder.
+    """
+    if found.cause != "encoder":
+        return None
     seen = problem.observation
     unseen = replace(seen, velocity_weight=np.zeros_like(seen.velocity_weight))
     alone = replace(problem, observation=unseen)

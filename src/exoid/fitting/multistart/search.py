@@ -1,5 +1,7 @@
 """The fit: many starts, brought to the data first, then to what anatomy and bounds allow."""
 
+from dataclasses import replace
+
 import jax
 import numpy as np
 
@@ -10,6 +12,7 @@ from exoid.fitting.multistart.beginning.led_to_data import led_to_the_data
 from exoid.fitting.multistart.beginning.simpler_problems import without_scale
 from exoid.fitting.multistart.beginning.starts import coordinates
 from exoid.fitting.multistart.beginning.tethers import FINE, tethers, within_reach
+from exoid.fitting.multistart.by_angle import missed_by_angle
 from exoid.fitting.multistart.doubted_clocks import (
     doubted,
     not_by_anatomy,
@@ -88,7 +91,7 @@ def search(
     ended = SearchResult(
         free, member, failures, best, disturbance, begin, local, on_level, tight.belief.prior
     )
-    return problem, ended
+    return problem, replace(ended, by_angle=missed_by_angle(problem, best, disturbance))
 
 
 def as_it_ended(

@@ -33,6 +33,7 @@ class SearchResult:
     local: Neighbourhood  # of `best`
     level: np.ndarray | None = None  # every quantity on level seats, where `best` has tilted ones
     held: Prior | None = None  # the one of `best`, where what is declared holds it closer
+    by_angle: Disturbance | None = None  # in the residual to the angles, where sensors lie apart
 
     @cached_property
     def point(self) -> Coordinates:

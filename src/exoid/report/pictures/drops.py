@@ -9,7 +9,7 @@ from exoid.recordings.landmarks.track import HALF
 from exoid.report.pictures.motion import TIME
 from exoid.report.pictures.panel import Axis, Band, Line, Mark, Panel, Picture, Points, Rule, Span
 from exoid.report.pictures.role import Role
-from exoid.report.tables.drops import EXPECTED, loaded, unit_of, value
+from exoid.report.words.drop import EXPECTED, loaded, unit_of, value
 
 BELOW = 8.0  # deg under the curve, where the period is drawn
 SIZES = (4.8, 2.4, 2.4)

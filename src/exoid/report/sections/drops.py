@@ -9,14 +9,9 @@ from exoid.report.parts.case import Case
 from exoid.report.pictures.drops import show_drop
 from exoid.report.sections.blocks import Block, element, some
 from exoid.report.sections.section import section
-from exoid.report.tables.drops import (
-    SOURCE,
-    loaded,
-    mean,
-    unit_of,
-    value,
-)
+from exoid.report.tables.drops import SOURCE
 from exoid.report.tables.table import Column, Table
+from exoid.report.words.drop import loaded, mean, unit_of, value
 from exoid.report.words.text import by_reason
 from exoid.report.words.unlike_drops import of_mixed_ends, of_mixed_starts, of_unlike_rests
 

@@ -1,18 +1,14 @@
 """The pendulum test as a person reads it: a table for every drop, what was not read and why."""
 
-from math import degrees
-
 from rich.console import Console
 
-from exoid.pendulum.drop import Average, Drop, PendulumTest
-from exoid.recordings.landmarks.measure import Measure
+from exoid.pendulum.drop import Drop, PendulumTest
 from exoid.report.tables.table import Column, Table, print_table
-from exoid.report.words.text import by_reason, heading, note, say, shown_unit, with_error
+from exoid.report.words.drop import EXPECTED, loaded, mean, unit_of, value
+from exoid.report.words.text import by_reason, heading, note, say
 from exoid.report.words.unlike_drops import of_mixed_ends, of_mixed_starts, of_unlike_rests
 
-LARGE = 99.5  # of an error, beyond which two digits of it leave no unit
 MOST = 40  # drops with a table of their own
-EXPECTED = "expected_relaxation_index"
 A_E = (
     "A_e is the amplitude to the angle that swings shrink to: of a leg that was left until it hung "
     "still it is A0, of one that was stopped, moved or cut before it is what A0 would have been, "
@@ -75,11 +71,6 @@ def print_drop(drop: Drop, console: Console) -> None:
         say(console, f"- not read: {', '.join(titles)}: {reason.rstrip('.')}.", hanging=2)
 
 
-def loaded(drop: Drop) -> str:
-    """The mass that was added, as words that follow its name."""
-    return f", {drop.added_mass:.3g} kg added" if drop.added_mass else ""
-
-
 def print_average(test: PendulumTest, console: Console) -> None:
     """Means over the drops that can be compared, where there are several."""
     if all(len(one.drops) < 2 for one in test.average.values()):
@@ -99,28 +90,3 @@ def print_average(test: PendulumTest, console: Console) -> None:
     for said in (of_mixed_starts(test), of_mixed_ends(test), of_unlike_rests(test)):
         if said:
             say(console, said)
-
-
-def value(each: Measure) -> str:
-    """In degrees where it is an angle."""
-    assert each.value is not None  # only what was read is shown
-    return written(each.unit, each.value, each.standard_error)
-
-
-def mean(each: Average) -> str:
-    return written(each.unit, each.mean, each.standard_deviation)
-
-
-def written(unit: str, number: float, error: float | None) -> str:
-    """With its error; thousands of deg/s^2 without a power of ten, to tens where that is enough."""
-    number, error = (degrees(each) if "rad" in unit else each for each in (number, error or 0.0))
-    if error == 1.0 and number.is_integer():  # a count, which noise may change by one
-        return f"{number:.0f} ± 1"
-    if error < LARGE:
-        return with_error(number, error) if error else f"{number:.4g}"
-    return f"{round(number, -1):.0f} ± {round(error, -1):.0f}"
-
-
-def unit_of(each: Measure | Average) -> str:
-    """What `value` and `mean` are written in."""
-    return shown_unit(each.unit).replace("rad", "deg")

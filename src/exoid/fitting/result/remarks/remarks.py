@@ -5,7 +5,6 @@ import numpy as np
 from exoid.fitting.data.conditioning_chain import SteadyKalman
 from exoid.fitting.misfit.disturbance.torque_noise import torque_noise
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.multistart.by_angle import missed_by_angle
 from exoid.fitting.multistart.search_result import FEASIBLE, SearchResult, scale_told
 from exoid.fitting.result.remarks.gyro_remarks import how_late, of_late_gyro, of_unused_gyro
 from exoid.fitting.result.remarks.limit_remarks import of_bounds
@@ -67,17 +66,11 @@ def remarks(
     quiet = swung and cause is None
     of_sensors = cause == "encoder" and (within or late)  # smoothed errors, which are told
     if not of_sensors and not quiet:
-        said += of_residual(ended.disturbance, gravity, inertia, float(unit))
-    sensors = ended.disturbance.cause == "encoder"
-    asked = sensors and not models_lateness(problem)
-    late = of_late_gyro(problem.movements) if asked else []
-    quiet = swung and ended.disturbance.cause is None
-    if not late and not quiet and not (within and sensors):  # smoothed errors, which are told
         torque = torque_noise(problem.movements)
         said += of_residual(ended.disturbance, gravity, inertia, float(unit), torque)
     said += late
-    if late:
-        said += of_angle(missed_by_angle(problem, ended.best), gravity, inertia)
+    if of_sensors and late and ended.by_angle is not None:
+        said += of_angle(ended.by_angle, gravity, inertia)
     if rig and "stiffness" not in problem.absent:
         said.append(
             "on a rig the spring term c phi also takes up a constant torque and an encoder zero "
