@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import jax.numpy as jnp
-from jaxtyping import Array, Float
+from jaxtyping import Array, Bool, Float
 
 from exoid.online.filter.gaussian import Gaussian
 from exoid.online.filter.pack import where_so
@@ -17,6 +17,7 @@ from exoid.online.movement.end import SHORTEST, SWINGS, ended, first_of, refuted
 from exoid.online.movement.evidence import evidence
 from exoid.online.movement.follow import follow
 from exoid.online.movement.knowledge import NEVER, Knowledge
+from exoid.online.movement.late import begun_late, judged_late
 from exoid.online.movement.stream import heard, is_faulty, look
 from exoid.online.movement.turns import turned
 from exoid.online.movement.watch import watch
@@ -29,13 +30,13 @@ def take_in(model: Model, belief: Knowledge, row: Float[Array, " 6"]) -> tuple[K
     arrived = look(belief.recent, belief.stream, row, belief.sensing.period)
     torn = arrived.torn
     moving = belief.phase == Phase.MOVING
-    cut = where_so(moving & torn, lambda now: ended(now, torn), belief)
+    cut = where_so(moving & torn, lambda now: over(model, now, torn), belief)
     lost = where_so(torn, forgetting, cut)
     now = replace(lost, recent=heard(lost.recent, row, arrived), stream=arrived.stream)
     now = replace(now, course=turned(now, row[2]))
     free = now.phase == Phase.MOVING
     now = where_so(arrived.taken & free, lambda at: moved(model, at), now)
-    now = where_so(arrived.taken & ~free, lambda at: refuted(watch(model, at)), now)
+    now = where_so(arrived.taken & ~free, lambda at: watched(model, at), now)
     return now, outlook(model, now)
 
 
@@ -59,7 +60,17 @@ def forgetting(belief: Knowledge) -> Knowledge:
 
 def moved(model: Model, belief: Knowledge) -> Knowledge:
     """A sample of a free movement."""
-    return ended(changed(model, follow(model, belief)), jnp.asarray(False))
+    return over(model, changed(model, follow(model, belief)), jnp.asarray(False))
+
+
+def watched(model: Model, belief: Knowledge) -> Knowledge:
+    """A sample while nothing moves freely, as far as is known."""
+    return begun_late(model, refuted(watch(model, belief)))
+
+
+def over(model: Model, belief: Knowledge, torn: Bool[Array, ""]) -> Knowledge:
+    """The belief after the movement, where it is over."""
+    return judged_late(model, ended(belief, torn))
 
 
 def outlook(model: Model, belief: Knowledge) -> Outlook:
@@ -88,7 +99,9 @@ def outlook(model: Model, belief: Knowledge) -> Outlook:
 def shown(belief: Knowledge) -> Gaussian:
     """What all movements told that are no hand's: the present one once it swings."""
     course, known = belief.course, first_of(belief.filters)
-    may_be_a_hand = (course.turns < SWINGS) | (course.reached - course.begun < SHORTEST)
+    few = (course.turns < SWINGS) | (course.reached - course.begun < SHORTEST)
+    few = (course.turns < SWINGS) | (course.reached - course.begun < SHORTEST)
+    may_be_a_hand = few | (course.late > 0)
     return select((belief.phase == Phase.MOVING) & may_be_a_hand, belief.before, known)
 
 

@@ -50,6 +50,8 @@ def begin(prior: Gaussian, node: Node) -> Knowledge:
             astray=np.asarray(0),
             direction=none,
             turns=np.asarray(0),
+            late=np.asarray(0),
+            quick=np.zeros(2),
             top=np.asarray(np.nan),
             scatter=np.full((2, 2), DECLARED),
             rested=np.asarray(0),

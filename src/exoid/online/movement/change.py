@@ -24,7 +24,7 @@ def changed(model: Model, belief: Knowledge) -> Knowledge:
     course = belief.course
     sure = (evidence(course) > EVIDENCE) & ~fails(course.whiteness)[1] & (belief.verdict.drops > 0)
     long = (course.reached - course.begun > LONG_ENOUGH) & (belief.older.turns >= SWINGS)
-    found = sure & long & (belief.older.unwhite < WHITE)
+    found = sure & long & (course.late == 0) & (belief.older.unwhite < WHITE)
 
     def looked_at(belief: Knowledge) -> Knowledge:
         return where_so(differs(model, belief), begun_anew, belief)

@@ -42,8 +42,8 @@ def closed(belief: Knowledge, gone, failing, cut, torn) -> Knowledge:
     course, older = belief.course, belief.older
     sound = jnp.where(failing | cut, older.unwhite < SUDDEN, True)
     end = jnp.where(failing | cut, older.time, course.reached)
-    swings = jnp.where(failing | cut, older.turns, course.turns) >= SWINGS
-    free = swings | (gone & (unwhite(course.whiteness)[1] < SUDDEN))
+    swings = jnp.where(failing | cut, older.turns, course.turns) >= SWINGS + course.late
+    free = swings | (gone & (course.late == 0) & (unwhite(course.whiteness)[1] < SUDDEN))
     counts = sound & judged(course.whiteness) & (end - course.begun > SHORTEST) & free
     kept = select(failing | cut, older.filters, belief.filters)
     odds = jnp.where(failing | cut, older.evidence, evidence(course))

@@ -59,6 +59,8 @@ class Course(eqx.Module):
     astray: Int[Any, ""]  # samples in a row that cannot be the leg's
     direction: Float[Any, ""]  # -1, 0 or 1: the way it moves
     turns: Int[Any, ""]
+    late: Int[Any, ""]  # 1 where it began as the leg turned, and what was before had strayed
+    quick: Float[Any, "2"]  # rad, rad/s: where the leg was no longer slow in its first fall
     top: Float[Any, ""]  # rad, how near to its hold it last came: where it was let go, or turned
     scatter: Float[Any, "2 2"]  # that of the belief, and of this movement
     rested: Int[Any, ""]  # drops that the numbers rested on before it

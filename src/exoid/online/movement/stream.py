@@ -27,9 +27,9 @@ class Arrived(eqx.Module):
 
 def look(recent: Recent, stream: Stream, row: Float[Array, " 6"], period: Any) -> Arrived:
     """Is a sample fit to be taken in?"""
-    last = recent.rows[(recent.heard - 1) % recent.rows.shape[0]]
+    before = last(recent)
     first = recent.heard == 0
-    since = jnp.where(first, 0.0, row[0] - last[0])
+    since = jnp.where(first, 0.0, row[0] - before[0])
     timed = jnp.isfinite(row[0])
     back = timed & (since < -GAP)
     taken = timed & (first | (since > 0) | back)
@@ -38,7 +38,7 @@ def look(recent: Recent, stream: Stream, row: Float[Array, " 6"], period: Any) -
     lost = taken & ((since > LOST * period) | back)
     bad = ~taken | empty | lost
     fading = jnp.exp(-jnp.clip(jnp.where(taken, since, 0.0), 0.0, 10.0) / FORGOTTEN)
-    frozen = jnp.where(taken & (row[2] == last[2]), stream.frozen + 1, 0)
+    frozen = jnp.where(taken & (row[2] == before[2]), stream.frozen + 1, 0)
     frozen = jnp.where(taken, frozen, stream.frozen)
     faults = fading * stream.faults + jnp.where(bad, 1.0, 0.0) + jnp.where(torn, MOST, 0.0)
     return Arrived(taken, torn, jnp.where(taken, since, 0.0), Stream(faults, frozen))
@@ -55,6 +55,11 @@ def heard(recent: Recent, row: Float[Array, " 6"], arrived: Arrived) -> Recent:
     old = jnp.where(arrived.torn, jnp.nan, recent.rows)
     rows = jnp.where(arrived.taken, old.at[at].set(row), recent.rows)
     return replace(recent, rows=rows, heard=recent.heard + arrived.taken)
+
+
+def last(recent: Recent) -> Float[Array, " 6"]:
+    """The last sample."""
+    return recent.rows[(recent.heard - 1) % recent.rows.shape[0]]
 
 
 def window(recent: Recent, span: Any) -> Bool[Array, " row"]:

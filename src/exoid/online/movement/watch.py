@@ -6,7 +6,7 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jaxtyping import Array, Bool, Float
+from jaxtyping import Array, Bool, Float, Int
 
 from exoid.online.filter.motion import view
 from exoid.online.filter.pack import where_so
@@ -81,7 +81,7 @@ def gone(model: Model, belief: Knowledge) -> Knowledge:
     falls = [view(model.unknowns, row, Sample(*last)).acceleration for row in (held, slack)]
     away = (jnp.sign(last[1] - belief.hold) * jnp.stack(falls) > PULL).all()
     phase = jnp.full_like(belief.phase, int(Phase.HELD))
-    return select(away, released(belief), replace(belief, phase=phase))
+    return select(away, let_go(belief), replace(belief, phase=phase))
 
 
 def departure(recent: Recent, hold: Float[Array, ""]) -> Float[Array, ""]:
@@ -95,13 +95,18 @@ def last_two(recent: Recent) -> Float[Array, "2"]:
     return jnp.stack([recent.rows[(recent.heard - back) % rows, 1] for back in (1, 2)])
 
 
-def released(belief: Knowledge) -> Knowledge:
+def let_go(belief: Knowledge) -> Knowledge:
     """A movement begins: the filters are to see it from where the hand is off the leg."""
-    recent = belief.recent
-    time, angle = recent.rows[:, 0], recent.rows[:, 1]
+    time, angle = belief.recent.rows[:, 0], belief.recent.rows[:, 1]
     near = jnp.abs(angle - belief.hold) < least(LEAVING, BEYOND, belief.sensing.angle)
-    begun = jnp.max(jnp.where(near, time, -jnp.inf)) + LETTING_GO
-    behind = jnp.sum(time >= begun)
+    left = jnp.max(jnp.where(near, time, -jnp.inf))
+    return moving_since(belief, left + LETTING_GO, jnp.zeros_like(belief.course.late))
+
+
+def moving_since(belief: Knowledge, begun: Float[Array, ""], late: Int[Array, ""]) -> Knowledge:
+    """A movement that began at a time [s], `late` as the leg turned or else from its hold."""
+    recent = belief.recent
+    behind = jnp.sum(recent.rows[:, 0] >= begun)
     course = Course(
         begun=begun,
         reached=begun,
@@ -112,7 +117,9 @@ def released(belief: Knowledge) -> Knowledge:
         likelihood=jnp.zeros(2),
         astray=jnp.zeros_like(belief.course.astray),
         direction=jnp.zeros(()),
-        turns=jnp.zeros_like(belief.course.turns),
+        turns=late * (belief.course.turns % 2),  # even where it is to go down
+        late=late,
+        quick=late * belief.course.quick,
         top=belief.hold,
         scatter=belief.scatter,
         rested=belief.verdict.rests,
