@@ -20,7 +20,7 @@ from exoid.report.figures.draw import APART_FROM_UNIT
 from exoid.report.figures.draw import draw as draw_page
 from exoid.report.pictures.determined import shares_of, show_parameters
 from exoid.report.pictures.drops import drop_of
-from exoid.report.pictures.mismatch.causes import causes, causes_of, show_causes
+from exoid.report.pictures.mismatch.causes import Cause, causes, causes_of, lowest, show_causes
 from exoid.report.pictures.mismatch.proof import proof_of
 from exoid.report.pictures.mismatch.torque import (
     called_in,
@@ -354,6 +354,14 @@ def test_no_cause_looks_chosen_where_none_is(verdict, chosen):
     assert sum(row.count("chosen") for row in candidates(one).rows) == chosen
     assert ("chosen" in legend(one)) == bool(chosen)
     assert ("Blue without stripes" in show_causes(one).caption) == bool(chosen)
+
+
+def test_a_cause_that_leaves_far_less_than_the_noise_has_a_bar():
+    """As where noise was taken for larger than it is: the axis began at half of it."""
+    rows = [Cause(name, left, False) for name, left in (("", 11.0), ("some", 0.98))]
+    assert lowest(rows) == 0.5
+    assert 0 < lowest([*rows, Cause("much", 0.002, True)]) < 0.002
+    assert lowest([*rows, Cause("all", 0.0, True)]) == 0.5
 
 
 def test_a_profile_says_what_its_interval_does_not_hold_for_where_the_spring_is_slack():

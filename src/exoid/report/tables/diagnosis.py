@@ -28,6 +28,7 @@ from exoid.report.words.text import (
 
 IN_ERRORS = "The errors of the leg's numbers hold how far these are apart, each by its odds."
 NO_ERRORS = "Eq. 9 alone does not follow the recording: the leg has no numbers with errors here."
+SMALL = 0.01  # times the noise, below which two decimals would be none
 LEGEND = (
     "left: mean square of what is left over the noise, 1.00 is the noise itself. evidence: log "
     "odds times two against the baseline, after the price of the parameters."
@@ -131,11 +132,16 @@ def candidates(found: Diagnosis) -> Table:
     chosen = ["", *("chosen" if is_chosen(one, found) else "" for one in ran)]
     columns = {
         "cause": ["baseline, Eq. 9", *(causes_in_words(one.terms) for one in ran)],
-        "left": [f"{one.mean_square:.2f}" for one in (found.baseline, *ran)],
+        "left": [in_times(one.mean_square) for one in (found.baseline, *ran)],
         "evidence": ["", *(f"{evidence(one):.0f}" for one in ran)],
         "verdict": Column(chosen, head=" "),
     }
     return Table("The candidates that ran free", columns, "Candidates")
+
+
+def in_times(left: float) -> str:
+    """With two decimals, and never as nothing."""
+    return f"{left:.2f}" if left >= SMALL else f"{left:.1g}"
 
 
 def legend(found: Diagnosis) -> str:

@@ -18,7 +18,7 @@ MOST = 7  # beside the baseline
 CHOSEN = "Blue without stripes: what was chosen."
 NONE_CHOSEN = "None of them was chosen."
 LESS = 0.01  # of what the baseline leaves, below which a cause explains nothing
-LEAST = 0.5  # of what is left, that a logarithmic axis shows
+LEAST = 0.5  # where the logarithmic axis begins, or at this share of what leaves still less
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,8 @@ def causes_of(found: Diagnosis) -> Panel:
     at = np.cumsum(size) - size / 2 - 0.5  # the middle of each
     chosen = np.array([each.chosen for each in rows])
     most = max(NARROWEST, *(row.left for row in rows))
-    limits = LEAST, LEAST * (most / LEAST) ** ROOM
+    least = lowest(rows)
+    limits = least, least * (most / least) ** ROOM
     marks = (
         bars(Role.CHOSEN_CAUSE, rows, at, chosen),
         bars(Role.CAUSE, rows, at, ~chosen),
@@ -72,6 +73,12 @@ def explains(rows: list[Cause]) -> bool:
     return any(row.left < (1 - LESS) * rows[0].left for row in rows[1:])
 
 
+def lowest(rows: list[Cause]) -> float:
+    """Where the axis begins: every cause that leaves anything has a bar."""
+    least = min((row.left for row in rows if row.left > 0), default=1.0)
+    return LEAST if least > LEAST else LEAST * least
+
+
 def room(rows: list[Cause]) -> np.ndarray:
     """How many rows each takes: a name of many lines needs more than one."""
     lines = np.array([1 + row.name.count("\n") for row in rows])
@@ -81,7 +88,7 @@ def room(rows: list[Cause]) -> np.ndarray:
 def bars(role: Role, rows: list[Cause], at: np.ndarray, these: np.ndarray) -> Bars:
     """Those of `these` rows, which stand at these places."""
     left = [row.left for row, one in zip(rows, these, strict=True) if one]
-    lengths = np.array([max(each, LEAST) for each in left])
+    lengths = np.array([max(each, lowest(rows)) for each in left])
     return Bars(role, at[these], lengths, words=tuple(map(in_times, left)))
 
 

@@ -80,7 +80,8 @@ def where(found: Diagnosis) -> str:
     regions = [f"{each.description} (segment {each.segment}, {each.begin:.2f}-{each.end:.2f} s)"
                for each in place.regions[:3]]  # fmt: skip
     if not regions:
-        return "no torque stands out of the noise: the sensors differ, or it is spread thinly."
+        differ = "the sensors differ, or " if found.sensors else ""
+        return f"no torque stands out of the noise: {differ}it is spread thinly."
     said = for_inertia(place.inertia or found.inertia, found.fit)
     scale = f" ({said})" if "," in said else ""
     if guessed(found.fit):
