@@ -14,7 +14,7 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, just_made
 from exoid.mismatch.beside_a_hand import beside_a_hand
 from exoid.mismatch.conclude.choose import Chosen, choose
-from exoid.mismatch.conclude.formulated import formulated
+from exoid.mismatch.conclude.formulated import by_what_is_left, formulated
 from exoid.mismatch.conclude.plainest import plainest
 from exoid.mismatch.conclude.sensor_faults import with_faults_told
 from exoid.mismatch.conclude.unusual_zero import as_a_term, odder, unusual
@@ -107,6 +107,8 @@ def asked(
         if raced is not found:
             found = raced
             chosen, formula = formulated(found, choose(found))
+    if formula is not None:
+        found = by_what_is_left(found, chosen.best)
     found, best = with_faults_told(found, chosen.best)
     if prepared.common:
         chosen = Chosen(best, *(predict(prepared, one) for one in (found.base, best)))

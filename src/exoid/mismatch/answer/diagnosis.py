@@ -65,6 +65,7 @@ class NovelTorque:
     # From when to when nearly all of it acts, where every segment has it once: place or moment?
     once: Annotated[tuple[float, float] | None, "s"] = None
     over_inertia: str = ""  # the same words for the torque over J; empty in older files
+    simple: str = ""  # the simple torque of `exoid effects` that it is, if any
 
 
 @dataclass(frozen=True)

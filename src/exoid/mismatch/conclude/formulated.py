@@ -1,11 +1,13 @@
 """What the library does not know: the best formula as a term, against the best of the library."""
 
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
 from exoid.fitting.solve.cores.side_by_side import side_by_side
 from exoid.mismatch.conclude.choose import Chosen
+from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.evidence.prediction import improves
 from exoid.mismatch.evidence.proof import predict
 from exoid.mismatch.evidence.yardstick import SURE
@@ -39,6 +41,13 @@ def formulated(found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:
         if improves(chosen.after, after):
             return Chosen(one, chosen.before, after), formula.at(one.candidate.values[-1])
     return chosen, None
+
+
+def by_what_is_left(found: Found, one: Optimum) -> Found:
+    """The same, all measured by what a formula leaves: what the library left beside it was no
+    noise, and made candidates that it refutes seem as likely.
+    """
+    return replace(found, yardstick=yardstick(found.prepared, one))
 
 
 def possible(found: Found, best: Optimum) -> bool:

@@ -36,6 +36,7 @@ class Family:
     shapes: tuple[Shape, ...] = ((),)  # where a search begins
     bounds: tuple[tuple[float, float], ...] = ()
     units: tuple[str, ...] = ()
+    simple: str = ""  # the torque without a name (`nameless.py`) that is just this
 
 
 @dataclass(frozen=True)
@@ -87,13 +88,13 @@ def plain() -> list[Family]:
         Family("v^2", lambda s, x, v, t, xp: v**2),
         Family("v^3", lambda s, x, v, t, xp: v**3),
         Family("v^4", lambda s, x, v, t, xp: v**4),
-        Family("x v", lambda s, x, v, t, xp: x * v),
+        Family("x v", lambda s, x, v, t, xp: x * v, simple="damping_by_angle"),
         Family("x^2 v", lambda s, x, v, t, xp: x**2 * v),
         Family("x v|v|", lambda s, x, v, t, xp: x * v * xp.abs(v)),
         Family("x v^2", lambda s, x, v, t, xp: x * v**2),
         Family("x sgn(v)", lambda s, x, v, t, xp: x * sign(v, xp)),
         Family("max(0, v)", lambda s, x, v, t, xp: xp.maximum(v, 0.0)),
-        Family("|v|", lambda s, x, v, t, xp: xp.abs(v)),
+        Family("|v|", lambda s, x, v, t, xp: xp.abs(v), simple="damping_by_direction"),
         Family("t", lambda s, x, v, t, xp: t),
         Family("t x", lambda s, x, v, t, xp: t * x),
         Family("t v", lambda s, x, v, t, xp: t * v),
@@ -163,6 +164,7 @@ def of_time() -> list[Family]:
             shapes=tuple((fade,) for fade in FADES),
             bounds=((0.03, 20.0),),
             units=("s",),
+            simple="fading_torque",
         ),
         Family(
             "kick(t, {0}, {1})",

@@ -52,6 +52,11 @@ class Formula:
         return " ".join(parts).removeprefix("+")
 
     @property
+    def simple(self) -> str:
+        """The torque without a name that is this formula; empty where it is none."""
+        return self.features[0].family.simple if len(self.features) == 1 else ""
+
+    @property
     def free(self) -> tuple[Feature, ...]:
         """The features that have their shape among the term's parameters: as many as fit."""
         sizes = np.cumsum([len(each.shape) for each in self.features]) + len(self.features)

@@ -127,6 +127,8 @@ def novel_torque(found: Found, formula: Formula, best: Optimum) -> NovelTorque:
     over = formula.over(float(np.exp(leg_of(found, best).log_inertia)))
     once = acting_once(found, formula, best)
     return NovelTorque(formula.words, formula.explained, formula.known, once, over)
+    each = (formula.words, formula.explained, formula.known, once, over, formula.simple)
+    return NovelTorque(*each)
 
 
 def acting_once(found: Found, formula: Formula, best: Optimum) -> tuple[float, float] | None:

@@ -8,10 +8,11 @@ from exoid.fitting.result.chief import WORDS, chief
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, NovelTorque, Parameter
 from exoid.mismatch.answer.over_inertia import guessed, parameters_shown
+from exoid.mismatch.novel.nameless import NAMELESS
 from exoid.mismatch.sensors.agreement import SensorError
 from exoid.physics.library import library
 from exoid.physics.parameter import AT_AN_END
-from exoid.physics.term import name_of
+from exoid.physics.term import Term, name_of
 from exoid.report.words.text import DIMENSIONLESS, with_error
 
 MOSTLY = 0.5  # of a variance
@@ -26,7 +27,8 @@ ORIGINS = {  # of an inertia that the motion does not tell alone
 def named(found: Diagnosis) -> list[str]:
     """Every effect with its parameters."""
     if found.formula is not None:
-        return [in_formula(found, found.formula)]
+        title = "".join(f"{term.title}: " for term in simple(found))
+        return [f"{title}{in_formula(found, found.formula)}"]
     lines = []
     for one in found.findings:
         each = [each for each in found.parameters if each.name.startswith(f"{one.name}.")]
@@ -164,5 +166,11 @@ def at_limit(each: Parameter | SensorError) -> bool:
 
 def explanations(found: Diagnosis) -> list[str]:
     if found.formula is not None:
-        return []
+        return [term.explanation for term in simple(found)]
     return [each.explanation for each in found.findings]
+
+
+def simple(found: Diagnosis) -> list[type[Term]]:
+    """The simple torque without a name of its own that the formula is, if it is one."""
+    name = found.formula.simple if found.formula else ""
+    return [term for term in NAMELESS if name_of(term) == name]

@@ -4,6 +4,7 @@ from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.physics.library import library
 from exoid.physics.term import name_of
 from exoid.report.words.diagnosis.asserted import only_sensors, only_usual, usual_errors
+from exoid.report.words.diagnosis.cause import simple
 from exoid.report.words.diagnosis.certainty import twins
 from exoid.report.words.diagnosis.remainder import share_left
 
@@ -29,6 +30,8 @@ def headline(found: Diagnosis) -> str:
     if found.verdict == "cannot_tell":
         return "Cannot tell from this recording."
     if found.novel:
+        for term in simple(found):
+            return f"Something is missing: {term.title}."
         return "Something is missing that the library does not know."
     if only_usual(found):
         return (
