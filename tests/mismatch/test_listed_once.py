@@ -11,6 +11,7 @@ from exoid.mismatch import prepare
 from exoid.mismatch.answer.diagnosis import Suspect
 from exoid.mismatch.conclude.asserted import equivalents
 from exoid.mismatch.conclude.rivals import advice
+from exoid.mismatch.conclude.verdict.undecided import undecided
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.search import search
 from exoid.mismatch.search.found import best_of
@@ -103,6 +104,13 @@ def test_an_axis_whose_torque_is_known_is_asked_for_no_drop():
     assert advice(each[:1], "cannot_tell", None, segments=3)[0].endswith(
         f"{CoulombFriction.isolate}."
     )
+
+
+def test_what_pushes_alike_has_something_in_common():
+    """They stood side by side among explanations that have nothing in common."""
+    each = [explaining(1000.0, term) for term in (TorqueBias, StiffnessRestAngle, CubicStiffness)]
+    (said,) = undecided(found_of(each), each)
+    assert said.endswith("torque bias or stiffness rest angle (100%), cubic stiffness (100%)")
 
 
 def test_a_plan_between_what_pushes_alike_says_that_nothing_tells_it():

@@ -23,7 +23,7 @@ from exoid.report.tables.diagnosis import print_diagnosis, suspects
 from exoid.report.words.astray import astray
 from exoid.report.words.diagnosis.asserted import ran_free
 from exoid.report.words.diagnosis.cause import parameter
-from exoid.report.words.diagnosis.certainty import others
+from exoid.report.words.diagnosis.certainty import by_push, others
 from exoid.report.words.diagnosis.leg import beside
 from exoid.report.words.diagnosis.remainder import remains
 from exoid.report.words.diagnosis.sentences import sentences
@@ -449,3 +449,31 @@ def test_a_cause_that_is_in_all_explanations_heads_what_cannot_be_told():
     title = CoulombFriction.title
     assert headline(one).startswith(f"{title[0].upper()}{title[1:]} is in all that explains it;")
     assert headline(doubtful()) == "Cannot tell from this recording."
+
+
+def test_a_formula_that_is_a_simple_torque_has_its_name_and_its_reason():
+    """`exoid effects fading_torque` printed the very formula that "the library does not know"."""
+    torque = NovelTorque("tau = 2.9 exp(-t/2.5 s) N m", 1.0, 0.0, simple="fading_torque")
+    one = replace(novel(), formula=torque)
+    assert headline(one) == "Something is missing: a torque that fades after the release."
+    assert sentences(one)["Missing"].startswith("a torque that fades after the release: tau = 2.9")
+    assert sentences(one)["Reason"] == "A muscle lets go only after the leg was released."
+    assert headline(novel()) == "Something is missing that the library does not know."
+
+
+def test_what_pushes_alike_is_one_suspect_with_both_names():
+    """No recording tells a constant torque from a spring that is slack elsewhere."""
+    bias, rest, cubic = "torque_bias", "stiffness_rest_angle", "slack_cubic_stiffness"
+    named = "torque bias or, exactly alike, stiffness rest angle"
+    assert by_push([[bias], [cubic]], [bias, cubic, rest]) == [named, "slack cubic stiffness"]
+    assert by_push([[bias], [rest]], []) == [named]
+    assert by_push([[bias], [cubic]], [bias]) == ["torque bias", "slack cubic stiffness"]
+
+
+def test_without_a_gyro_no_sensors_differ():
+    nowhere = replace(found().location, regions=[])
+    both, alone = (
+        replace(found(), location=nowhere, sensors=some) for some in (found().sensors, [])
+    )
+    assert "the sensors differ" in sentences(both)["Where"]
+    assert sentences(alone)["Where"].endswith("out of the noise: it is spread thinly.")

@@ -201,16 +201,14 @@ def rivals_in(found) -> list[str]:
     those that push alike whatever is recorded the first.
     """
     from exoid.mismatch.novel.nameless import NAMELESS
-    from exoid.physics.library import library
     from exoid.physics.term import name_of
+    from exoid.report.words.diagnosis.certainty import pushes
 
-    twin = {name_of(term): term.same_torque for term in library()}
     nameless = set(map(name_of, NAMELESS))
     rivals: dict[frozenset[str], str] = {}
     for each in found.suspected:
-        pushes = frozenset(min(name, twin.get(name) or name) for name in each.terms)
         if each.terms and not nameless & {*each.terms}:
-            rivals.setdefault(pushes, "+".join(each.terms))
+            rivals.setdefault(pushes(each.terms), "+".join(each.terms))
     return list(rivals.values())
 
 

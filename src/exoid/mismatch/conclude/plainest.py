@@ -3,11 +3,12 @@
 from itertools import permutations
 
 from exoid.mismatch.conclude.asserted import certain_of, equivalents, same_cause
+from exoid.mismatch.conclude.twins import families
 from exoid.mismatch.screen.effect import named
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found
 from exoid.mismatch.search.rank import alike, simpler_form
-from exoid.physics.term import Term, holds, name_of
+from exoid.physics.term import Term, holds
 
 
 def plainest(found: Found, best: Optimum) -> Optimum:
@@ -42,13 +43,6 @@ def in_usual_form(found: Found, best: Optimum) -> Optimum:
         return can_be, sum(term.everyday for term in one.candidate.terms)
 
     return max([best, *twins], key=usual)
-
-
-def families(one: Optimum) -> list[list[str]]:
-    """Its causes, each with its exact twin."""
-    return sorted(
-        sorted({name_of(term), term.twin, term.same_torque}) for term in one.candidate.terms
-    )
 
 
 def in_plainest_form(found: Found, best: Optimum) -> Optimum:

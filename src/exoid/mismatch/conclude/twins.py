@@ -52,3 +52,10 @@ def fits(
         return False
     size = float(term.as_same_torque(value[0], stiffness))
     return declared.lower < size < declared.upper
+
+
+def families(one: Optimum) -> list[list[str]]:
+    """Its causes, each with its exact twin."""
+    return sorted(
+        sorted({name_of(term), term.twin, term.same_torque}) for term in one.candidate.terms
+    )

@@ -1,6 +1,7 @@
 """Why causes that explain a recording are not told by name."""
 
 from exoid.mismatch.conclude.asserted import stand_ins, with_one_less
+from exoid.mismatch.conclude.twins import families
 from exoid.mismatch.novel.nameless import NAMELESS
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, names, words
@@ -35,11 +36,20 @@ def undecided(found: Found, equal: list[Optimum]) -> list[str]:
     if len(equal) == 1:
         alone = words(names(equal[0]))
         return [f"{alone} explains most, at values at which it is not what it is called"]
-    each = [f"{words(names(one)) or 'no cause'} ({share(found, one)})" for one in equal]
+    each = [f"{' or '.join(named)} ({share(found, one)})" for one, named in by_push(equal)]
     return [
         "explanations that have nothing in common come out alike (shares of the mismatch): "
         f"{', '.join(each[:LISTED])}"
     ]
+
+
+def by_push(equal: list[Optimum]) -> list[tuple[Optimum, list[str]]]:
+    """The first of those that push alike whatever is recorded, and what all of them are called."""
+    alike: dict[str, tuple[Optimum, list[str]]] = {}
+    for one in equal:
+        _, named = alike.setdefault(repr(families(one)), (one, []))
+        named.append(words(names(one)) or "no cause")
+    return list(alike.values())
 
 
 def share(found: Found, one: Optimum) -> str:

@@ -69,7 +69,27 @@ def suspected(found: Diagnosis) -> str:
     none explains most of it, what explains most.
     """
     ran = [one for one in (*found.singles, *found.pairs) if one.terms][:SUSPECTS]
-    return ", ".join(causes_in_words(one.terms) for one in found.suspected or ran) + "."
+    return ", ".join(by_push([one.terms for one in found.suspected or ran], found.equivalent)) + "."
+
+
+def by_push(some: list[list[str]], equivalent: list[str]) -> list[str]:
+    """Sets of causes in words; those that push alike whatever is recorded, and the twins that are
+    `equivalent`, as one.
+    """
+    alike: dict[frozenset[str], list[list[str]]] = {}
+    for each in some:
+        alike.setdefault(pushes(each), []).append(each)
+    for each in (one.split(" + ") for one in equivalent):
+        known = alike.get(pushes(each), [])
+        if known and {*each} not in [{*one} for one in known]:
+            known.append(each)
+    return [" or, exactly alike, ".join(map(causes_in_words, each)) for each in alike.values()]
+
+
+def pushes(terms: list[str]) -> frozenset[str]:
+    """What they are by their torques, each under the first of its names."""
+    twin = {name_of(term): term.same_torque for term in library()}
+    return frozenset(min(name, twin.get(name) or name) for name in terms)
 
 
 def trust(found: Diagnosis) -> str:
