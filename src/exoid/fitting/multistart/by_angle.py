@@ -16,11 +16,11 @@ from exoid.fitting.solve.program_values import Solved
 
 def missed_by_angle(problem: Problem, best: Solved, found: Disturbance) -> Disturbance | None:
     """What is in the residual of the free fit near the `best` to the angles of all segments; None
-    where what was `found` in that to both sensors is no error of the encoder.
+    where no gyro was, or what was `found` in that to both is no error of the encoder.
     """
-    if found.cause != "encoder":
-        return None
     seen = problem.observation
+    if found.cause != "encoder" or not seen.velocity_weight.any():
+        return None
     unseen = replace(seen, velocity_weight=np.zeros_like(seen.velocity_weight))
     alone = replace(problem, observation=unseen)
     return explained(alone, advance(alone, best.coordinates, task(alone, 0.0, alone.steps, FINE)))
