@@ -100,7 +100,7 @@ def test_a_drop_that_a_hand_ended_says_up_to_when_it_is_fitted():
     first, *others = result.segments
     text = printed(replace(result, segments=[replace(first, caught=2.07), *others]))
     assert line_of("leg 0", text).split()[:5] == ["leg", "0", "passive", "0.00", "2.07"]
-    said = "segment leg 0 from where it swings otherwise (hand, muscle, lost samples or times)"
+    said = "segment leg 0 from where a hand, muscle or lost samples end it"
     assert line_of("left out", text).split(maxsplit=2)[2].strip() == said
     assert not re.search("left out|^ +from +to ", printed(result), re.MULTILINE)
 

@@ -50,7 +50,7 @@ def test_a_card_says_that_a_hand_ended_a_drop_which_leaves_the_others_good():
     first, *others = case.fit.segments
     cut = replace(first, caught=2.07)
     said = str(agreement(replace(case, fit=replace(case.fit, segments=[cut, *others]))))
-    behind = "from where it swings otherwise (hand, muscle, lost samples or times)"
+    behind = "from where a hand, muscle or lost samples end it"
     assert f"Left out: segment {first.name} {behind}." in said
     assert "but for what was left out" not in said
 

@@ -21,7 +21,7 @@ def behind_hands(segments: Sequence[SegmentFit]) -> str:
     """The drops that a hand or a muscle ended, or seems to where samples are lost."""
     names = [each.name for each in segments if each.caught is not None]
     segment = f"segment {', '.join(names)}"
-    behind = f"{segment} from where it swings otherwise (hand, muscle, lost samples or times)"
+    behind = f"{segment} from where a hand, muscle or lost samples end it"
     return behind if names else ""
 
 
