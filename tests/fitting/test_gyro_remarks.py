@@ -71,7 +71,7 @@ def test_the_user_is_told_when_and_what_to_do():
     assert "--with butterworth_filter" in said  # as long as that, it is rather a filter
     assert "sensor_skew" in said
     (said,) = of_late_gyro(swing(-0.01))
-    assert "about 9.8 ms earlier" in said
+    assert "about 10 ms earlier" in said
     assert "'exoid fit --with sensor_skew'" in said
     assert of_late_gyro(swing()) == []
 
