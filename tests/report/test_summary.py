@@ -42,7 +42,7 @@ def test_a_card_that_says_yes_says_what_was_left_out(seconds):
     cut = replace(first, left_out=seconds)
     said = str(agreement(replace(case, fit=replace(case.fit, segments=[cut, *others]))))
     assert (f"first 0.53 s behind the release of segment {first.name}" in said) == (seconds > 0)
-    assert ("a swing" in said) == (seconds > 0)
+    assert ("(the first swing, to and fro)" in said) == (seconds > 0)
 
 
 def test_a_card_says_that_a_hand_ended_a_drop_which_leaves_the_others_good():

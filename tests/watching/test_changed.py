@@ -73,7 +73,7 @@ def test_a_change_is_told_once_its_numbers_can_be_believed():
         number = np.zeros(1)
         counts = (np.array([int(each)]) for each in (trust, Phase.DONE, rests, rests))
         numbers = [np.ones((1, 3))] * 3  # ratios, their errors, and more if slack
-        return Outlook(*counts, *numbers, *[number + 30.0] * 2, *[number] * 2)
+        return Outlook(*counts, *numbers, *[number + 30.0] * 2, *[number] * 2, number.astype(int))
 
     changes = Changes()
     changes.look(said(Trust.GOOD, 3), 1)

@@ -28,6 +28,7 @@ class Outlook:
     ended: Float[Any, "*time"]  # s, up to when that counted
     unwhite: Float[Any, "*time"]  # standard deviations by which innovations are not white
     change: Float[Any, "*time"]  # log odds that this is another leg than before
+    late: Int[Any, "*time"]  # 1 where it began as the leg turned: what was before had strayed
 
     @property
     def said(self) -> Trust:

@@ -70,7 +70,7 @@ WIDTHS = {"ratios": 3, "errors": 3, "if_slack": 3}  # columns of an outlook; of 
 COUNTED = [np.asarray(count) for count in range(BLOCK + 1)]
 RESULTS = 2  # the belief, and what was said
 NO_TREE = jax.tree.structure(())  # of its arguments, which are bare arrays
-COUNTS = ("trust", "phase", "drops", "rests")
+COUNTS = ("trust", "phase", "drops", "rests", "late")
 
 
 def run(

@@ -93,13 +93,13 @@ def outlook(model: Model, belief: Knowledge) -> Outlook:
         ended=belief.course.ended,
         unwhite=unwhite(belief.course.whiteness)[1],
         change=evidence(belief.course),
+        late=belief.course.late,
     )
 
 
 def shown(belief: Knowledge) -> Gaussian:
     """What all movements told that are no hand's: the present one once it swings."""
     course, known = belief.course, first_of(belief.filters)
-    few = (course.turns < SWINGS) | (course.reached - course.begun < SHORTEST)
     few = (course.turns < SWINGS) | (course.reached - course.begun < SHORTEST)
     may_be_a_hand = few | (course.late > 0)
     return select((belief.phase == Phase.MOVING) & may_be_a_hand, belief.before, known)

@@ -63,19 +63,20 @@ class Strays:
             seen = slice(int(np.searchsorted(time, begun)), first + int(at) + 1)
             left = LeftOut(float(time[first + at]), begun, STRAYED, is_falling(angle[seen]))
             before, self.stand = self.stand, now
-            yield from self.judged(before, left)
+            again = bool(np.asarray(said.late)[at])  # it strayed before, which is told
+            yield from self.judged(before, left, again)
 
     def follow(self, said: Outlook) -> None:
         """The last samples say something else by now."""
         self.stand = Stand(*columns_of(said)[:, -1].tolist())
 
-    def judged(self, before: Stand, left: LeftOut) -> Iterator[LeftOut]:
-        """Is the movement out by what is said now?"""
+    def judged(self, before: Stand, left: LeftOut, again: bool) -> Iterator[LeftOut]:
+        """Is the movement out by what is said now, and not only `again`?"""
         now = self.stand
         held, counted = now.phase == Phase.HELD, now.drops - before.drops
         if held and counted < 0:
             yield left
-        elif held and not counted and before.phase == Phase.MOVING:
+        elif held and not counted and before.phase == Phase.MOVING and not again:
             torn = now.trust == Trust.FAULTY
             self.pending = LeftOut(left.time, left.begun, TORN, left.falling) if torn else left
         if self.pending is not None and (is_clear(now) or self.pending.why == TORN):
