@@ -193,7 +193,7 @@ def test_on_its_way_to_the_terms_a_leg_leaves_recordings_as_declared(rubbing, mo
 
     monkeypatch.setattr(join_terms, "advance", watched)
     fit(rubbing, multistart=4, terms=(CoulombFriction,))
-    assert moved[0] == 0 < moved[-1]
+    assert moved[0] == 0 < max(moved)
 
 
 @pytest.mark.proof

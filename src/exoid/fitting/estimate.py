@@ -40,6 +40,7 @@ from exoid.fitting.multistart.search_result import Plain, SearchResult
 from exoid.fitting.one_leg import check_one_leg
 from exoid.fitting.result.describing.describe import describe
 from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.result.refused.own_swing import hangs_up
 from exoid.fitting.result.remarks.upwards_remarks import UPWARDS, upwards
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
@@ -209,6 +210,8 @@ class Attempt:
             return describe(*found, best if voluntary else None, others[0] if others else None)
 
         result = described(found)
+        if not (belief.rig or result.follows) and hangs_up(self.movements):
+            raise ValueError(UPWARDS)
         if not self.handled or self.at_once or belief.rig:
             return result, []
         swinging = without_slow_release(

@@ -19,6 +19,7 @@ SMOOTH = 3e-3  # the same of all three: noise of an encoder, and a hand that was
 ROUGH = 0.1  # the same of what tells at least how fast it is
 ALONE = 1e-3  # the same of a single drop
 FEWEST = 12  # windows
+UP = np.radians(20.0)  # a muscle, or a zero that is off, holds a leg as high as level at most
 PENDULUM = [1, 2, 3]  # columns: gravity, from wherever it comes, and damping
 SPRING = [4, 5, 3]  # a spring, wherever it is slack, and damping
 BOTH = [1, 2, 4, 5, 3]
@@ -57,6 +58,12 @@ def rests(movements: Sequence[Movement]) -> dict[str, float]:
             a, b, _ = left_by(rows, PENDULUM)[1]
             found[each.name] = float(np.arctan2(-a, b))
     return found
+
+
+def hangs_up(movements: Sequence[Movement]) -> bool:
+    """Does a leg that was let go swing about a place above the level of its knee?"""
+    found = rests(movements)
+    return bool(found) and all(np.pi > angle > UP for angle in found.values())
 
 
 def free_rows(each: Movement) -> np.ndarray:
