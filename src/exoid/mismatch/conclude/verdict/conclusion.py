@@ -126,7 +126,6 @@ def novel_torque(found: Found, formula: Formula, best: Optimum) -> NovelTorque:
     """The formula, and when it acts."""
     over = formula.over(float(np.exp(leg_of(found, best).log_inertia)))
     once = acting_once(found, formula, best)
-    return NovelTorque(formula.words, formula.explained, formula.known, once, over)
     each = (formula.words, formula.explained, formula.known, once, over, formula.simple)
     return NovelTorque(*each)
 
