@@ -1,6 +1,7 @@
 """Every term there is: whatever class of a term is defined in the modules of a package."""
 
 import inspect
+from collections.abc import Collection
 from dataclasses import fields
 from difflib import get_close_matches
 from functools import cache
@@ -39,10 +40,15 @@ def term_named(name: str) -> type[Term]:
     """
     known = {name_of(term): term for term in library()}
     if name not in known:
-        close = get_close_matches(name, known, 1)
-        hint = f"did you mean {close[0]}?" if close else f"there are {', '.join(known)}."
-        raise ValueError(f"there is no term {name!r}: {hint}")
+        raise ValueError(f"there is no term {name!r}: {resembled(name, known)}")
     return known[name]
+
+
+def resembled(name: str, known: Collection[str]) -> str:
+    """Which of the known names one that is none of them resembles; all, where it resembles none."""
+    inside = [each for each in known if name and name in each.split("_")]
+    close = inside or get_close_matches(name, known, 1)
+    return f"did you mean {' or '.join(close)}?" if close else f"there are {', '.join(known)}."
 
 
 def terms_of(module: ModuleType) -> list[type[Term]]:

@@ -3,7 +3,6 @@
 import importlib
 import importlib.util
 import sys
-from difflib import get_close_matches
 from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
@@ -93,7 +92,7 @@ def terms_asked(
         )
     if not (given or saved):
         return ()
-    from exoid.physics.library import library
+    from exoid.physics.library import library, resembled
 
     known = {name_of(term): term for term in (*library(), *own)}
     found = {name_of(type(term)): term for term in saved}
@@ -105,12 +104,7 @@ def terms_asked(
             raise ValueError(f"{option} {name}: it was said before. Say it once.")
         said.add(name)
         if name not in known:
-            inside = [each for each in known if name and name in each.split("_")]
-            close = inside or get_close_matches(name, known, 1)
-            hint = (
-                f"did you mean {' or '.join(close)}?" if close else f"there are {', '.join(known)}."
-            )
-            raise ValueError(f"{option} {name}: there is no such term; {hint}")
+            raise ValueError(f"{option} {name}: there is no such term; {resembled(name, known)}")
         asked = equals or valued_all
         found[name] = valued(name, known[name], rest) if asked else known[name]
     return tuple(found.values())

@@ -63,7 +63,7 @@ def rests(movements: Sequence[Movement]) -> dict[str, float]:
 def hangs_up(movements: Sequence[Movement]) -> bool:
     """Does a leg that was let go swing about a place above the level of its knee?"""
     found = rests(movements)
-    return bool(found) and all(np.pi > angle > UP for angle in found.values())
+    return bool(found) and all(angle > UP for angle in found.values())
 
 
 def free_rows(each: Movement) -> np.ndarray:
