@@ -10,7 +10,13 @@ from exoid.cli.terminal.say import say
 
 BodyMass = Annotated[float | None, typer.Option(help="kg; replaces the sidecar's.", metavar="KG")]
 Height = Annotated[float | None, typer.Option(help="m; replaces the sidecar's.", metavar="M")]
-
+AddedMass = Annotated[float | None, typer.Option(help="On the shank, weighed [kg].", metavar="KG")]
+AddedMassDistance = Annotated[
+    float | None, typer.Option(help="Of that mass from the knee [m].", metavar="M")
+]
+SubjectId = Annotated[
+    str | None, typer.Option("--id", help="Who it is, for the sidecar.", metavar="TEXT")
+]
 
 QUESTIONS = {
     "body_mass": "Body mass [kg]",

@@ -13,6 +13,16 @@ if TYPE_CHECKING:
 Channel = Annotated[str, typer.Option(help="Such as /dev/ttyACM0, can0, COM3.")]
 Interface = Annotated[str, typer.Option(help="Of python-can: slcan, socketcan, pcan, kvaser, ...")]
 Bitrate = Annotated[int, typer.Option(min=1, help="Of the bus [bit/s].")]
+OneOf = Annotated[
+    int | None, typer.Option(min=0, max=15, help="This one of several nodes.", metavar="ID")
+]
+Duration = Annotated[
+    float | None,
+    typer.Option(min=0.1, help="Stop so long after the first frame [s].", metavar="S"),
+]
+Marking = Annotated[
+    bool, typer.Option("--segment", help="Mark by keys: d drop, c cycle, space end.")
+]
 Who = Annotated[
     str | None,
     typer.Option("--node", help="Id or serial of the one that is meant.", metavar="ID|SERIAL"),

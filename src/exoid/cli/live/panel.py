@@ -1,6 +1,5 @@
 """A board as a panel on a terminal; where there is none, a line for whatever is new."""
 
-import sys
 import time
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
@@ -8,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from exoid.cli.live.saying import leaning, words
 from exoid.cli.live.saying.movements import changed, drops, movement
 from exoid.cli.terminal.say import say
-from exoid.cli.terminal.screen import NOBODY
+from exoid.cli.terminal.screen import NOBODY, Screen
 from exoid.files.visible import visible
 
 if TYPE_CHECKING:
@@ -20,39 +19,15 @@ BAR = 8  # letters
 CALM = {3: "green", 2: "green", 4: "red", 5: "yellow", 6: "red"}  # by trust
 
 
-class Panel:
+class Panel(Screen):
     """Shows the board on stderr; `name` is what is followed."""
 
     def __init__(self, board: "Board", name: str):
+        super().__init__()
         self.board, self.name = board, name
-        self.live: Any = None
         self.drawn = 0.0
         self.said: dict[str, str] = {}
         self.told = 0  # movements
-
-    def __enter__(self) -> "Panel":
-        if sys.stderr.isatty():
-            from rich.console import Console
-            from rich.live import Live
-
-            console = Console(stderr=True)
-            self.live = Live(console=console, auto_refresh=False, transient=True)
-            self.live.start()
-        return self
-
-    def __exit__(self, *_) -> None:
-        if self.live is not None:
-            with suppress(*NOBODY):
-                self.live.stop()
-
-    def tell(self, sentence: str) -> None:
-        """Say something that stays."""
-        with suppress(*NOBODY):
-            if self.live is None:
-                say(f"exoid: {sentence}", err=True)
-            else:
-                said = visible(f"exoid: {sentence}")
-                self.live.console.print(said, markup=False, highlight=False)
 
     def show(self, line: str) -> None:
         """How the stream is at this moment; the rest is on the board."""

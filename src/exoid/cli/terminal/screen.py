@@ -5,7 +5,7 @@ Where nobody can be told any more, because the terminal or the pipe is gone, wha
 
 import sys
 from contextlib import suppress
-from typing import Any
+from typing import Any, Self
 
 from exoid.cli.terminal.say import say
 from exoid.files.visible import visible
@@ -19,7 +19,7 @@ class Screen:
     def __init__(self):
         self.live: Any = None
 
-    def __enter__(self) -> "Screen":
+    def __enter__(self) -> Self:
         if sys.stderr.isatty():
             from rich.console import Console
             from rich.live import Live

@@ -7,9 +7,9 @@ from typing import Annotated
 import typer
 
 from exoid.cli.analysis import prepare
-from exoid.cli.inputs.body import ask_body, given_body
+from exoid.cli.inputs.body import AddedMass, AddedMassDistance, SubjectId, ask_body, given_body
 from exoid.cli.inputs.choices import FlipOption, Side, ZeroOption
-from exoid.cli.inputs.node import BITRATE, INTERFACE
+from exoid.cli.inputs.node import BITRATE, INTERFACE, Bitrate, Duration, Interface, Marking, OneOf
 from exoid.cli.inputs.reading import Columns, Dbc, Signals
 from exoid.cli.inputs.terms import OwnTerms, With, own_terms, terms_asked
 from exoid.cli.inputs.watching import (
@@ -34,24 +34,15 @@ def live(
         typer.Argument(help="A log or table to follow instead of a bus.", show_default=False),
     ] = None,
     channel: Annotated[str | None, typer.Option(help="Such as /dev/ttyACM0, can0, COM3.")] = None,
-    interface: Annotated[
-        str, typer.Option(help="Of python-can: slcan, socketcan, pcan, kvaser, ...")
-    ] = INTERFACE,
-    bitrate: Annotated[int, typer.Option(min=1, help="Of the bus [bit/s].")] = BITRATE,
-    node: Annotated[
-        int | None,
-        typer.Option(min=0, max=15, help="Follow this one of several nodes.", metavar="ID"),
-    ] = None,
+    interface: Interface = INTERFACE,
+    bitrate: Bitrate = BITRATE,
+    node: OneOf = None,
     output: Annotated[
         Path | None,
         typer.Option("--output", "-o", help="Keep it as exoid record does: .blf, .asc or .log."),
     ] = None,
-    duration: Annotated[
-        Number, typer.Option(min=0.1, help="Stop so long after the first frame [s].", metavar="S")
-    ] = None,
-    segment: Annotated[
-        bool, typer.Option("--segment", help="Mark by keys: d drop, c cycle, space end.")
-    ] = False,
+    duration: Duration = None,
+    segment: Marking = False,
     speed: Annotated[
         str, typer.Option(help="Of a file: 1 as it was, 2 twice as fast, or max.", metavar="TIMES")
     ] = "max",
@@ -69,15 +60,9 @@ def live(
         Number, typer.Option(help="For what is expected [kg].", metavar="KG")
     ] = None,
     height: Annotated[Number, typer.Option(help="For what is expected [m].", metavar="M")] = None,
-    added_mass: Annotated[
-        Number, typer.Option(help="On the shank, weighed [kg].", metavar="KG")
-    ] = None,
-    added_mass_distance: Annotated[
-        Number, typer.Option(help="Of that mass from the knee [m].", metavar="M")
-    ] = None,
-    subject_id: Annotated[
-        str | None, typer.Option("--id", help="Who it is, for the sidecar.", metavar="TEXT")
-    ] = None,
+    added_mass: AddedMass = None,
+    added_mass_distance: AddedMassDistance = None,
+    subject_id: SubjectId = None,
     side: Annotated[Side | None, typer.Option(help="Which leg, for the sidecar.")] = None,
     json_lines: Annotated[
         Path | None,

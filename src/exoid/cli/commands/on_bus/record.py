@@ -6,8 +6,9 @@ from typing import Annotated
 
 import typer
 
-from exoid.cli.inputs.body import ask_body, given_body
+from exoid.cli.inputs.body import AddedMass, AddedMassDistance, SubjectId, ask_body, given_body
 from exoid.cli.inputs.choices import Side
+from exoid.cli.inputs.node import BITRATE, INTERFACE, Bitrate, Duration, Interface, Marking, OneOf
 from exoid.cli.outputs.destination import Force, check_absent, check_destination
 from exoid.cli.terminal.keys import check_keyboard, keyboard
 from exoid.cli.terminal.screen import Screen
@@ -21,31 +22,16 @@ def record(
         Path, typer.Option("--output", "-o", help="Log to write: .blf, .asc or .log (candump).")
     ],
     channel: Annotated[str, typer.Option(help="Such as /dev/ttyACM0, can0, COM3.")],
-    interface: Annotated[
-        str, typer.Option(help="Of python-can: slcan, socketcan, pcan, kvaser, ...")
-    ] = "slcan",
-    bitrate: Annotated[int, typer.Option(min=1, help="Of the bus [bit/s].")] = 500_000,
-    node: Annotated[
-        int | None,
-        typer.Option(min=0, max=15, help="Record this one of several nodes.", metavar="ID"),
-    ] = None,
-    duration: Annotated[
-        Number, typer.Option(min=0.1, help="Stop so long after the first frame [s].", metavar="S")
-    ] = None,
-    segment: Annotated[
-        bool, typer.Option("--segment", help="Mark by keys: d drop, c cycle, space end.")
-    ] = False,
+    interface: Interface = INTERFACE,
+    bitrate: Bitrate = BITRATE,
+    node: OneOf = None,
+    duration: Duration = None,
+    segment: Marking = False,
     body_mass: Annotated[Number, typer.Option(help="For the sidecar [kg].", metavar="KG")] = None,
     height: Annotated[Number, typer.Option(help="For the sidecar [m].", metavar="M")] = None,
-    added_mass: Annotated[
-        Number, typer.Option(help="On the shank, weighed [kg].", metavar="KG")
-    ] = None,
-    added_mass_distance: Annotated[
-        Number, typer.Option(help="Of that mass from the knee [m].", metavar="M")
-    ] = None,
-    subject_id: Annotated[
-        str | None, typer.Option("--id", help="Who it is, for the sidecar.", metavar="TEXT")
-    ] = None,
+    added_mass: AddedMass = None,
+    added_mass_distance: AddedMassDistance = None,
+    subject_id: SubjectId = None,
     side: Annotated[Side | None, typer.Option(help="Which leg, for the sidecar.")] = None,
     visit: Annotated[
         str | None, typer.Option("--session", help="For the sidecar.", metavar="TEXT")

@@ -13,7 +13,6 @@ if TYPE_CHECKING:
 DOING = ("held, or nobody knows", "at rest", "moving freely", "at rest, or caught")
 LET_GO = "at rest: let it drop"
 STARTING = "the estimator is loading; what moves meanwhile is kept and taken in afterwards"
-BY_RATIOS = "one kind of drop tells ratios; a weighed mass on the shank for some of them tells J"
 AS_FAR = "learned as far as drops tell: the errors are still large, and no drop narrows them"
 WAITING, LEARNING, ENOUGH, UNEXPLAINED = 0, 1, 3, 4  # trust
 AT_REST, MOVING = 1, 2  # phases
