@@ -21,7 +21,7 @@ from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.estimates.scale import UNLIKE, hidden
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.solve.ask import advance, around, task
+from exoid.fitting.solve.ask import advance, around, lowest, task
 from exoid.fitting.solve.program_values import StartRequest
 
 Shape = Literal["two-sided", "lower limit only", "upper limit only", "flat"]
@@ -110,7 +110,8 @@ def profiles(result: FitResult) -> dict[str, Profile]:
     starts = jax.tree.map(lambda *each: np.concatenate(each), *begins)
     problem, ended = basis.problem, basis.ended
     seen = ended.best if problem.belief.by_hand.fix else ended.free
-    penalty = penalties(weighed(around(problem, seen), ended.disturbance.scale))
+    local = around(problem, seen, row=lowest(seen))
+    penalty = penalties(weighed(local, ended.disturbance.scale))
     asked = task(problem, 0.0, problem.steps, LIMITED, penalty)
     solved = advance(problem, starts, asked, request=request)
     reached = np.sum(request.weights * solved.quantities, axis=1)

@@ -30,7 +30,8 @@ def with_tilted_seats(
     if wide is None:
         return problem, free
     asked, weighing = task(wide, 0.0, wide.steps, FINE), left.weighing(problem.kinds)
-    again = advance(wide, take(free.coordinates, [row] * free.loss.size), asked, weighing)
+    copies = [row] * (1 if problem.terms else free.loss.size)  # a program of many lanes is there
+    again = advance(wide, take(free.coordinates, copies), asked, weighing)
     gain = likelihood(wide, again, 0, left) - likelihood(problem, free, row, left)
     price = np.log(wide.deviation_of("tilt") / problem.deviation_of("tilt")).sum()
     steepest = float(np.abs(again.coordinates.mounting.tilt[lowest(again)]).max())
