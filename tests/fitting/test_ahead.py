@@ -78,25 +78,42 @@ def test_who_ends_while_a_thread_computes_ends_what_that_one_began(tmp_path):
         thread.join()
 
 
-def start_and_stay(folder: Path) -> None:
-    """What starts a second process, and is killed."""
+def start_and_stay(folder: Path, forked: bool) -> None:
+    """What starts a second process, and is killed; a process `forked` off it holds all its pipes."""
     process = SecondProcess(int)
-    process.submit(leave, "second", folder)
+    process.submit(leave, "second", folder).result()
+    if not forked or os.fork():
+        leave("begun", folder)
+    else:
+        leave("forked", folder)
     time.sleep(600)
 
 
-def test_a_second_process_ends_with_one_that_is_killed(tmp_path):
-    starter = get_context("spawn").Process(target=start_and_stay, args=(tmp_path,))
+@pytest.mark.parametrize(
+    "forked",
+    [False, pytest.param(True, marks=pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork"))],
+)
+def test_a_second_process_ends_with_one_that_is_killed(tmp_path, forked):
+    starter = get_context("spawn").Process(target=start_and_stay, args=(tmp_path, forked))
     starter.start()
-    second = int(waited_for(tmp_path / "second"))
+    names = ("second", "begun", "forked") if forked else ("second", "begun")
+    second, _, *beside = (int(waited_for(tmp_path / name)) for name in names)
     starter.kill()
     starter.join(10)
-    for _ in range(100):
-        if not alive(second):
-            return
-        time.sleep(0.1)
-    os.kill(second, signal.SIGKILL)
-    raise AssertionError("the second process outlives who started it")
+    try:
+        outlives = not any(gone(second) for _ in range(100))
+    finally:
+        for process in beside:
+            os.kill(process, signal.SIGKILL)
+    if outlives:
+        os.kill(second, signal.SIGKILL)
+    assert not outlives, "the second process outlives who started it"
+
+
+def gone(process: int) -> bool:
+    """It is looked at ten times a second."""
+    time.sleep(0.1)
+    return not alive(process)
 
 
 def alive(process: int) -> bool:

@@ -10,6 +10,8 @@ from multiprocessing import get_context, parent_process
 from threading import Thread
 from typing import Any
 
+LOOKS = 1.0  # s, after which a starter is looked for
+
 
 class SecondProcess:
     """Does one task after another, from the first on, and ends with who started it, however that
@@ -43,9 +45,11 @@ def begin(prepare: Callable[..., None], *given: Any) -> None:
 
 
 def end_with_starter() -> None:
+    """A starter's other children may hold what would tell its end open: it is looked for, too."""
     starter = parent_process()
     assert starter is not None
-    starter.join()
+    while starter.is_alive() and os.getppid() == starter.pid:
+        starter.join(LOOKS)
     os._exit(0)
 
 
