@@ -79,7 +79,7 @@ def test_who_ends_while_a_thread_computes_ends_what_that_one_began(tmp_path):
 
 
 def start_and_stay(folder: Path, forked: bool) -> None:
-    """What starts a second process, and is killed; a process `forked` off it holds all its pipes."""
+    """Start a second process, and be killed; one `forked` off this holds all its pipes."""
     process = SecondProcess(int)
     process.submit(leave, "second", folder).result()
     if not forked or os.fork():
@@ -91,7 +91,10 @@ def start_and_stay(folder: Path, forked: bool) -> None:
 
 @pytest.mark.parametrize(
     "forked",
-    [False, pytest.param(True, marks=pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork"))],
+    [
+        False,
+        pytest.param(True, marks=pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")),
+    ],
 )
 def test_a_second_process_ends_with_one_that_is_killed(tmp_path, forked):
     starter = get_context("spawn").Process(target=start_and_stay, args=(tmp_path, forked))
