@@ -41,6 +41,9 @@ SEEN = Observation(
     thigh_angle=ONE,
     added_mass_moves=ONE,
     added_mass_extent=0 * ONE,
+    heavier=0 * ONE,
+    damped=ONE,
+    stiffened=ONE,
     owner=np.array([0]),
     clock=Clock(ONE, 0 * ONE, 0 * ONE, 0 * ONE),
 )

@@ -1,5 +1,7 @@
 """The segments of recordings as they enter a fit."""
 
+from dataclasses import replace
+
 from exoid.fitting.amount.part import Part, parts_of
 from exoid.fitting.data.fitted_samples import Clip
 from exoid.fitting.data.movement import Movement
@@ -26,7 +28,8 @@ def movements_in(parts: list[Part], *, clip: Clip = "free") -> list[Movement]:
             still.append(fault)
     if not found:
         raise still[0]
-    return found
+    least = min(each.added_mass for each in found)
+    return [replace(each, least_mass=least) for each in found]
 
 
 def left_out(parts: list[Part], movements: list[Movement]) -> list[str]:

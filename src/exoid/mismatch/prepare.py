@@ -106,8 +106,9 @@ def without_edges(seen: Observation, sensors: Consistency) -> Observation:
 
 
 def with_masses(seen: Observation, fitted: Mounting, owned: tuple[str, ...]) -> Observation:
-    """Added masses as the fit has them, in weight, place and extent: their small errors are no
-    missing physics. What a diagnosis itself leaves free stays.
+    """Added masses as the fit has them, in weight, place and extent, with the damping and stiffness
+    beside them: what is a little off there is no missing physics. What a diagnosis itself leaves
+    free stays.
     """
     owner = np.asarray(seen.owner)
 
@@ -121,6 +122,8 @@ def with_masses(seen: Observation, fitted: Mounting, owned: tuple[str, ...]) -> 
         added_mass=seen.added_mass * np.exp(own("log_added")),
         added_mass_distance=seen.added_mass_distance * moved,
         added_mass_extent=seen.added_mass_extent + own("extent"),
+        damped=1 + seen.heavier * own("damping_under_load"),
+        stiffened=1 + seen.heavier * own("stiffness_under_load"),
     )
 
 

@@ -19,6 +19,8 @@ from exoid.twin.protocols import record
 
 ANGLES = (-10.0, -25.0, -40.0, -55.0)  # deg, of the release; lower ones hardly swing
 MASSES = (0.5, 1.0, 2.0)  # kg
+HEAVY = (2.0, 4.0)  # kg, near the knee
+NEAR_KNEE = 0.105  # of body height: there a mass changes m l g / J most (`limiting.py`)
 ANKLE = 0.225  # of body height, from the knee
 TALL = 1.75  # m, a body whose height is unknown
 TILTS = (-20.0, 20.0)  # deg, of the thigh by the whole seat, the hip left as it is
@@ -43,6 +45,15 @@ def candidates(height: float | None, amplitude: float | None) -> list[Candidate]
             Movement(radians(angle), SWING, None, mass, ankle),
         )
         for mass in MASSES
+        for angle in ANGLES[:3]
+    ]
+    near = NEAR_KNEE * (height or TALL)
+    loaded += [
+        Candidate(
+            f"{mass:g} kg below the knee, {near:.2f} m from it, from {angle:.0f} deg",
+            Movement(radians(angle), SWING, None, mass, near),
+        )
+        for mass in HEAVY
         for angle in ANGLES[:3]
     ]
     tilted = [

@@ -46,7 +46,8 @@ def posed(known: PriorKnowledge, options: dict[Candidate, Movement]) -> tuple[Pr
     """The problem that these motions would pose, and what is known of the leg, from where they
     begin.
     """
-    movements = [replace(each, systematics=known.systematics) for each in options.values()]
+    own = {"systematics": known.systematics, "least_mass": known.least_mass}
+    movements = [replace(each, **own) for each in options.values()]
     problem = pose(movements, known.belief, "1/T", Raw(), terms=known.classes)
     states = np.array([first_state(each) for each in movements])
     torque = np.array([option.motion.amplitude or 0.0 for option in options])

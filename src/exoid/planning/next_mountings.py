@@ -32,6 +32,12 @@ class Next:
     systematics: Systematics
     angular_velocity: bool | None  # None without a gyro
     unplaced: bool = False
+    least_mass: float = 0.0  # kg
+
+    @property
+    def borne(self) -> float:
+        """Its added mass beyond the least of all that is recorded [kg]."""
+        return max(self.added_mass - self.least_mass, 0.0)
 
     @property
     def load(self) -> tuple[float, float | None]:
@@ -107,6 +113,7 @@ def next_of(known: PriorKnowledge, chosen: Sequence[Candidate], seats: list[floa
             added_mass_distance=each.motion.added_mass_distance,
             systematics=declared,
             angular_velocity=known.gyro or None,
+            least_mass=known.least_mass,
         )
         for each in chosen
     ]

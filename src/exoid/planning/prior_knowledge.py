@@ -25,7 +25,7 @@ from exoid.fitting.model.coordinates import (
 )
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.prior_and_limits import believe
-from exoid.fitting.model.systematics import OWNED, Systematics, owned_by
+from exoid.fitting.model.systematics import OWNED, Systematics, owned_by, under_load
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.ask import take
 from exoid.fitting.solve.problem import Problem
@@ -78,6 +78,11 @@ class PriorKnowledge:
         return tuple(map(type, self.terms))
 
     @property
+    def least_mass(self) -> float:
+        """That was on in what was recorded [kg]."""
+        return min((each.added_mass for each in self.movements), default=0.0)
+
+    @property
     def owned(self) -> tuple[str, ...]:
         """What is an unknown of the next recording's mounting."""
         replaced = {term.replaces for term in self.terms}
@@ -115,12 +120,15 @@ def from_anatomy(subject: Subject, assumed: Assumptions | None = None) -> PriorK
     gravity = leg.mass * leg.com_distance * GRAVITY
     ratios = (np.asarray(each / leg.inertia) for each in (gravity, leg.stiffness, leg.damping))
     kit = SensorKit()
+    said: dict[str, Any] = {
+        name: off for name, off in under_load(subject).items() if off is not None
+    }
     return PriorKnowledge(
         shared=Shared(np.log(leg.inertia), *ratios),
         log_mass=np.log(leg.mass),
         information=np.zeros((LEG, LEG)),
         belief=belief,
-        systematics=Systematics(),
+        systematics=Systematics(**said),
         disturbance=None,
         sensors=Sensors(
             encoder_counts=float(kit.encoder.counts_per_turn),

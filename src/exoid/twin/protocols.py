@@ -88,7 +88,9 @@ def describe_subject(subject: Subject, movements: Sequence[Movement]) -> Subject
         subject,
         added_mass=tuple(movement.added_mass for movement in movements),
         added_mass_distance=tuple(movement.added_mass_distance for movement in movements),
-        added_mass_gyration=0.0,  # the twin's are points
+        added_mass_gyration=0.0,  # the twin's are points ...
+        damping_under_load_uncertainty=0.0,  # ... that nothing rubs or squeezes for
+        stiffness_under_load_uncertainty=0.0,
     )
 
 

@@ -45,6 +45,7 @@ class Movement:
     added_mass: float  # kg
     added_mass_distance: float  # m, nan where it is to be estimated
     thigh_angle: float  # rad
+    least_mass: float = 0.0  # kg, of all that are fitted together
     recording: int = 0  # of those that are fitted together
     session: str | None = None  # in all recordings of one the same seat and weights ...
     sensors: Sensors = field(default_factory=Sensors)  # ... and sensors, but where said otherwise
@@ -119,6 +120,11 @@ class Movement:
     def unplaced(self) -> bool:
         """Is it unknown where the added mass sat?"""
         return self.added_mass > 0 and bool(np.isnan(self.added_mass_distance))
+
+    @property
+    def borne(self) -> float:
+        """Its added mass beyond the least of all that are fitted together [kg]."""
+        return max(self.added_mass - self.least_mass, 0.0)
 
     @property
     def load(self) -> tuple[float, float | None]:

@@ -42,6 +42,9 @@ class Observation:
     added_mass_distance: Float[Any, "*segment"]  # m
     added_mass_moves: Float[Any, "*segment"]  # 1 where its distance follows the mounting, else 0
     added_mass_extent: Float[Any, "*segment"]  # m^2, its squared radius of gyration
+    heavier: Float[Any, "*segment"]  # beyond the least mass of a fit, over the most of a recording
+    damped: Float[Any, "*segment"]  # times the leg's damping, by what a fit has found beside a mass
+    stiffened: Float[Any, "*segment"]  # times its stiffness, by the same
     thigh_angle: Float[Any, "*segment"]  # rad, the knee above the hip
     owner: Int[Any, "*segment"]  # which recording's mounting it has
     clock: Clock

@@ -1,5 +1,7 @@
 """What a fit sees of the movements of recordings, in one shape."""
 
+from collections.abc import Sequence
+
 import jax
 import numpy as np
 from numpy.typing import NDArray
@@ -110,11 +112,20 @@ def one_observation(
         added_mass_distance=np.asarray(SOMEWHERE if each.unplaced else each.added_mass_distance),
         added_mass_moves=np.asarray(float(each.unplaced or not beside_unplaced(each, movements))),
         added_mass_extent=np.asarray(each.systematics.expected_extent),
+        heavier=np.asarray(heavier(each, movements)),
+        damped=np.asarray(1.0),
+        stiffened=np.asarray(1.0),
         thigh_angle=np.asarray(each.thigh_angle),
         owner=np.asarray(recordings.index(each.recording)),
         clock=clock(each, number, reading),
         parts=parts,
     )
+
+
+def heavier(each: Movement, movements: Sequence[Movement]) -> float:
+    """What it bears beyond the least mass of a fit, over the most that its recording has so."""
+    most = max(one.borne for one in movements if one.recording == each.recording)
+    return each.borne / most if most > 0 else 0.0
 
 
 def standing(samples: Samples) -> NDArray[np.bool_]:

@@ -31,7 +31,8 @@ class Equation:
 
 
 def equation(unknowns: Unknowns, observation: Observation, stage: Stage) -> Equation:
-    """J + m_a (r^2 + k^2) and m l g + m_a r g move; the tether adds its stiffness and damping.
+    """J + m_a (r^2 + k^2) and m l g + m_a r g move, and a leg that bears more may have another d
+    and c; the tether adds its stiffness and damping.
 
     A recorded second is (1 + clock) s long, so every rate of the equation counts as often.
     `unknowns` are those of the segment.
@@ -44,16 +45,19 @@ def equation(unknowns: Unknowns, observation: Observation, stage: Stage) -> Equa
     extent = observation.added_mass_extent + of(mounting.extent)
     total = inertia + added * (distance**2 + extent)
     moment = shared.gravity * inertia + added * distance * GRAVITY
+    share, heavier = inertia / total, observation.heavier
+    stiffer = observation.stiffened * (1 + heavier * of(mounting.stiffness_under_load))
+    damped = observation.damped * (1 + heavier * of(mounting.damping_under_load))
     return Equation(
         ratios=Ratios(
             gravity=clock**2 * moment / total,
-            stiffness=clock**2 * shared.stiffness * inertia / total + stage.tether**2,
-            damping=clock * shared.damping * inertia / total + 2 * stage.tether,
+            stiffness=clock**2 * shared.stiffness * stiffer * share + stage.tether**2,
+            damping=clock * shared.damping * damped * share + 2 * stage.tether,
             thigh_angle=observation.thigh_angle + of(mounting.tilt),
         ),
-        cycle=clock**2 * unknowns.own.torque * inertia / total,
+        cycle=clock**2 * unknowns.own.torque * share,
         torque=clock**2 / total,
-        share=clock**2 * inertia / total,
+        share=clock**2 * share,
         gain=mounting.torque_gain,
         offset=mounting.torque_zero * observation.torque_reach,
         terms=tuple(over_inertia(term, 1 / inertia) for term in unknowns.terms),

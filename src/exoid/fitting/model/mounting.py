@@ -9,7 +9,8 @@ from exoid.physics.record import record
 
 @record
 class Mounting:
-    """What a recording owns: by how much sensors, seat and added mass differ from what is declared.
+    """What a recording owns: by how much sensors, seat and added mass differ from what is declared,
+    and the leg that bears the mass from the one without.
 
     A leaf without entries is no unknown of this fit: everything is as declared.
     """
@@ -24,6 +25,8 @@ class Mounting:
     clock: Float[Any, "..."]  # relative: true seconds in a recorded one, less 1
     torque_zero: Float[Any, "..."]  # what a torque sensor shows of none, over its greatest reading
     torque_gain: Float[Any, "..."]  # relative, less 1, of the same sensor
+    damping_under_load: Float[Any, "..."]  # the leg's d beside its heaviest added mass over that
+    stiffness_under_load: Float[Any, "..."]  # with the least mass of a fit, less 1; and its c
 
 
 def acting(shown: Any, zero: Any, gain: Any) -> Any:

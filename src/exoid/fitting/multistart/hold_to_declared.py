@@ -13,7 +13,7 @@ import numpy as np
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import prior_information
 from exoid.fitting.model.coordinates import TYPICAL, places
-from exoid.fitting.model.systematics import OWNED
+from exoid.fitting.model.systematics import OF_THE_LOAD, OWNED
 from exoid.fitting.multistart.beginning.simpler_problems import with_inertia_kept
 from exoid.fitting.multistart.beginning.tethers import FINE
 from exoid.fitting.multistart.search_result import scale_told
@@ -30,6 +30,7 @@ from exoid.fitting.solve.program_values import Solved
 EXCUSED = 1.3  # widening of an error below which holding it to what is declared changes little
 ROUNDS = 3  # of holding it, each by what the one before made of the residual
 ROUNDING = 1e-9  # relative, of a precision
+KEPT = ("torque_gain", *OF_THE_LOAD)
 NOTHING = 1e-6  # of what is declared, that is told: below it white noise tells nothing either
 
 Less = dict[str, np.ndarray]  # of every leaf of the mounting: how much wider, at least 1
@@ -104,4 +105,5 @@ def held(problem: Problem, less: Less, found: Disturbance, scale: float = 1.0) -
     """
     weighed = as_weighed(problem, found)
     wider = {name: weighed.deviation_of(name) * scale / less[name] for name in OWNED}
-    return problem.widened(**wider | {"torque_gain": problem.deviation_of("torque_gain")})
+    kept = {name: problem.deviation_of(name) for name in KEPT}
+    return problem.widened(**wider | kept)

@@ -12,6 +12,8 @@ WORDS = {
     "torque_zero": "the torque sensor's zero",
     "torque_gain": "the torque sensor's gain",
     "reflex_form": "that a reflex may have another form than the term",
+    "damping_under_load": "how well damping stays the same under load",
+    "stiffness_under_load": "how well stiffness stays the same under load",
     "added_mass": "the weight of the added mass",
     "added_mass_distance": "the distance of the added mass",
     "added_mass_gyration": "the extent of the added mass",

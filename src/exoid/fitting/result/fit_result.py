@@ -32,6 +32,8 @@ class MountingFit:
     clock: Estimate | None = None
     torque_zero: Estimate | None = None  # of the torque's sensor
     torque_gain: Estimate | None = None  # of the same, less 1
+    damping_under_load: Estimate | None = None  # over that with the least mass, less 1
+    stiffness_under_load: Estimate | None = None
 
     @property
     def known(self) -> dict[str, Estimate]:

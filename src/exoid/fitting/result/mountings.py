@@ -3,7 +3,14 @@
 import numpy as np
 
 from exoid.fitting.model.coordinates import Coordinates, layout, quantities
-from exoid.fitting.model.systematics import OF_THE_GYRO, OF_THE_MASS, OF_THE_REST, OWNED, SOMEWHERE
+from exoid.fitting.model.systematics import (
+    OF_THE_GYRO,
+    OF_THE_LOAD,
+    OF_THE_MASS,
+    OF_THE_REST,
+    OWNED,
+    SOMEWHERE,
+)
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.chief import WORDS
 from exoid.fitting.result.estimates.basis import Basis
@@ -93,7 +100,7 @@ def beyond_belief(problem: Problem, ended: SearchResult, *, explained: bool) -> 
     for field in problem.owned:
         if field == "zero" and "gravity" in problem.absent:
             continue  # it is where the spring of a rig rests, which may be anywhere
-        if field in OF_THE_MASS and explained:
+        if field in OF_THE_LOAD or (field in OF_THE_MASS and explained):
             continue
         values, deviations = getattr(ended.point.mounting, field), problem.deviation_of(field)
         for entry in problem.estimated(field):

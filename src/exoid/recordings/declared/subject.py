@@ -39,6 +39,12 @@ class Subject:
         "added_mass_distance_uncertainty_m", "m", 0.0, 0.5
     )
     added_mass_gyration: float | None = ranged("added_mass_gyration_m", "m", 0.0, 0.5)
+    damping_under_load_uncertainty: float | None = ranged(
+        "damping_under_load_uncertainty", "of 1", 0.0, 1.0
+    )
+    stiffness_under_load_uncertainty: float | None = ranged(
+        "stiffness_under_load_uncertainty", "of 1", 0.0, 1.0
+    )
     gravity: str | None = text("gravity", ABSENT)
     spring: str | None = text("spring", ABSENT)
     notes: str | None = text("notes")

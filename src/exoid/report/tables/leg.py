@@ -25,6 +25,8 @@ MOUNTED = {
     "clock": "clock - 1",
     "torque_zero": "torque sensor's zero",
     "torque_gain": "torque sensor's gain - 1",
+    "damping_under_load": "damping under its load - 1",
+    "stiffness_under_load": "stiffness under its load - 1",
 }
 SHORTEST_NAME = 16  # that still tells the segments of two recordings apart
 

@@ -4,7 +4,7 @@ from exoid.fitting.result.agreement import of_the_rest, of_unlike
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.refused.notes import of_refused
-from exoid.fitting.result.remarks.added_mass_remarks import of_misplaced
+from exoid.fitting.result.remarks.added_mass_remarks import of_misplaced, of_under_load
 from exoid.fitting.result.remarks.anatomy_remarks import of_anatomy
 from exoid.fitting.result.remarks.doubted_times import as_told
 from exoid.fitting.result.remarks.noise_remarks import of_leg_tone, tone_of
@@ -47,6 +47,7 @@ def of_a_fit(
     swung = [] if tone is None else [f"{of_leg_tone(tone, result.ratios, inertia)}. {WIDENED}"]
     return [
         *of_misplaced(problem, ended),
+        *of_under_load(problem, ended),
         *of_anatomy(problem.belief, gravity, slack, times),
         *of_the_rest(result.segments, ended.disturbance),
         *of_unlike(result.segments, ended.disturbance),

@@ -14,6 +14,8 @@ MOUNTING = {  # name: symbol, title, unit
     "clock": ("clock", "true seconds in a recorded one, less 1", "1"),
     "torque_zero": ("tau_0", "what the torque sensor shows where no torque acts", "N m"),
     "torque_gain": ("gain", "torque that is shown over the one that acts, less 1", "1"),
+    "damping_under_load": ("d_a / d - 1", "damping beside the added mass, over d, less 1", "1"),
+    "stiffness_under_load": ("c_a / c - 1", "stiffness beside the same, over c, less 1", "1"),
 }
 FIELDS = dict(zip(("log_distance", "log_added", "extent"), list(MOUNTING)[:3], strict=True)) | {
     name: name for name in OWNED[3:]

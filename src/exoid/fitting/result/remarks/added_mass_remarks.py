@@ -4,7 +4,7 @@ from collections.abc import Callable
 from math import exp, hypot, sqrt
 
 from exoid.fitting.data.movement import Movement
-from exoid.fitting.model.systematics import OF_THE_MASS
+from exoid.fitting.model.systematics import OF_THE_LOAD, OF_THE_MASS
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.anatomy.expected import STRANGE
@@ -70,6 +70,23 @@ def of_misplaced(problem: Problem, ended: SearchResult) -> list[str]:
                 f"leg moves: {acts}. {MISSED if ended.disturbance.cause else MEASURE} The ratios "
                 f"to J hold.{'' if far > STRANGE else HELD}"
             )
+    return said
+
+
+def of_under_load(problem: Problem, ended: SearchResult) -> list[str]:
+    """Which legs are damped, or drawn back, clearly otherwise beside their mass than without."""
+    said = []
+    for name, words in zip(OF_THE_LOAD, ("damping", "stiffness"), strict=True):
+        for entry in problem.estimated(name):
+            share = found_of(problem, ended, entry)(name)
+            usual = float(problem.deviation_of(name)[entry])
+            if abs(share) > UNUSUAL * usual:
+                said.append(
+                    f"beside the added mass{loaded(problem, entry)[1]} the leg's {words} is "
+                    f"{abs(share):.0%} {'higher' if share > 0 else 'lower'} than without it, where "
+                    f"{usual:.2g} of 1 is believed: a hinge or a cuff rubs or squeezes there, or "
+                    "the model misses something else. J is told by what is left without it."
+                )
     return said
 
 

@@ -5,7 +5,7 @@ from collections.abc import Callable, Collection, Sequence
 import numpy as np
 
 from exoid.fitting.data.movement import Movement
-from exoid.fitting.model.systematics import OF_THE_TORQUE, SLANT
+from exoid.fitting.model.systematics import OF_THE_LOAD, OF_THE_TORQUE, SLANT
 from exoid.fitting.result.chief import WORDS
 from exoid.fitting.solve.problem import Problem
 
@@ -17,6 +17,8 @@ GRANTED: tuple[tuple[str, str, Callable[[float], str]], ...] = (
     ("gyro_scale", "the gyro's scale", lambda share: f"{100 * share:.2g} %"),
     ("log_added", "the weight of the added mass", lambda share: f"{100 * share:.2g} %"),
     ("distance", "its distance from the knee", lambda off: f"{1e3 * off:.2g} mm"),
+    ("damping_under_load", "damping beside that mass", lambda share: f"{100 * share:.2g} %"),
+    ("stiffness_under_load", "stiffness beside it", lambda share: f"{100 * share:.2g} %"),
     ("clock", "times", lambda share: f"{100 * share:.2g} %"),
 )
 BY_SCALE = (
@@ -70,6 +72,8 @@ def applies(name: str, one: Movement) -> bool:
     """Has a movement what this is known of?"""
     if name in ("log_added", "distance"):
         return one.added_mass > 0 and not (name == "distance" and one.unplaced)
+    if name in OF_THE_LOAD:
+        return one.borne > 0 and getattr(one.systematics, name) > 0
     if name in OF_THE_TORQUE:
         return one.kind == "measured" and one.gain_known
     return name != "gyro_scale" or one.angular_velocity is not None

@@ -4,9 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from exoid.fitting.model.systematics import OF_THE_LOAD
 from exoid.fitting.result.chief import WORDS, chief
 from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.result.remarks.anatomy_remarks import SWING
 from exoid.fitting.solve.problem import Problem
+from exoid.physics.leg import GRAVITY
 
 TAPE = 5e-4  # m, to which a tape's millimetres are read
 DECLARED_AS = {  # by `Systematics`, where it has another name there
@@ -59,7 +62,24 @@ def what_to_do(name: str, result: FitResult) -> str:
         )
     if result.basis is not None and is_declared(name, result.basis.problem):
         return "± holds what the sidecar says of it: only what is known better narrows it"
-    return ADVICE[name]
+    return weighed_by_gravity(name, result) if name in OF_THE_LOAD else ADVICE[name]
+
+
+def weighed_by_gravity(name: str, result: FitResult) -> str:
+    """What tells J though d and c change under a load: how a mass m_a at r changes G = m l g / J.
+
+    By m_a r (G r - g) / (J + m_a r^2), which is nothing at r = g / G, where the mass swings by
+    itself as fast as the leg, and m_a r (G r - g) is most between there and the knee at g / 2 G.
+    """
+    gravity, declare = result.ratios[SWING].value, f"give {name}_uncertainty where it is known"
+    if not gravity or gravity < 0:
+        return f"drop it with a heavier mass; {declare}"
+    where = GRAVITY / gravity
+    return (
+        f"drop it with a heavy and compact mass, its added_mass_gyration_m given, about "
+        f"{where / 2:.2f} m from the axis, where it changes m l g / J most, by which J is told "
+        f"then: at {where:.2f} m not at all; {declare}"
+    )
 
 
 def is_declared(name: str, problem: Problem) -> bool:
