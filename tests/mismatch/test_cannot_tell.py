@@ -11,7 +11,7 @@ from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.conclude.verdict.cannot_tell import chance, faint, luck, unlike_a_leg, vague
-from exoid.mismatch.conclude.verdict.in_few_segments import alone_in, why
+from exoid.mismatch.conclude.verdict.segments.in_few_segments import alone_in, why
 from exoid.mismatch.novel.dictionary import dictionary
 from exoid.mismatch.novel.formula import Formula
 from exoid.recordings.declared.subject import Subject

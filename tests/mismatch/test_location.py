@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.estimate import fit
-from exoid.mismatch.conclude.verdict.own_torques import of_own_torques, own_torques
+from exoid.mismatch.conclude.verdict.segments.own_torques import of_own_torques, own_torques
 from exoid.mismatch.evidence.locate import between, explained, lacking, regions_of
 from exoid.mismatch.evidence.location import Location, Missing, Region
 from exoid.mismatch.prepare import prepare

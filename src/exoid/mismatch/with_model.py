@@ -27,8 +27,8 @@ from exoid.mismatch.conclude.rivals import (
 )
 from exoid.mismatch.conclude.twin_sizes import as_fitted, twin_sizes
 from exoid.mismatch.conclude.verdict.cannot_tell import unlike_a_leg
-from exoid.mismatch.conclude.verdict.own_torques import RELAXED
 from exoid.mismatch.conclude.verdict.past_threshold import with_threshold
+from exoid.mismatch.conclude.verdict.segments.own_torques import RELAXED
 from exoid.mismatch.novel.formula import fitted_formula
 from exoid.mismatch.screen.effect import named as named_values
 from exoid.mismatch.screen.hypothesis import Hypothesis

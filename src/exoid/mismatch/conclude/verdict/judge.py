@@ -9,7 +9,6 @@ from exoid.mismatch.answer.diagnosis import Verdict
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.conclude.numbers import leg_of, taken_in
 from exoid.mismatch.conclude.rivals import hidden, of_hidden
-from exoid.mismatch.conclude.verdict.apart_in_time import apart_in_time
 from exoid.mismatch.conclude.verdict.begins_and_ends import begins_and_ends, what_next
 from exoid.mismatch.conclude.verdict.cannot_tell import (
     broken,
@@ -22,10 +21,16 @@ from exoid.mismatch.conclude.verdict.cannot_tell import (
     unsure,
     vague,
 )
-from exoid.mismatch.conclude.verdict.in_few_segments import once
 from exoid.mismatch.conclude.verdict.moved_by_tone import WITHOUT_TONE, moved_by_tone
 from exoid.mismatch.conclude.verdict.nothing_missing import of_what_hides, of_zeros
-from exoid.mismatch.conclude.verdict.own_torques import RELAXED, of_own_torques, own_torques
+from exoid.mismatch.conclude.verdict.segments.apart_in_time import apart_in_time
+from exoid.mismatch.conclude.verdict.segments.in_few_segments import once
+from exoid.mismatch.conclude.verdict.segments.other_sizes import of_other_sizes
+from exoid.mismatch.conclude.verdict.segments.own_torques import (
+    RELAXED,
+    of_own_torques,
+    own_torques,
+)
 from exoid.mismatch.conclude.verdict.undecided import share, undecided
 from exoid.mismatch.evidence.location import Location
 from exoid.mismatch.evidence.prediction import Proof
@@ -85,6 +90,10 @@ def judge(case: Case, shown: Proof, repeated: float | None, lucky: Chance) -> Ju
     movements = found.prepared.problem.movements
     if verdict != "none" and (own := of_own(case)):
         return Judgement("cannot_tell", own, unseen, [RELAXED], but_ends=False)
+    if verdict == "cannot_tell" or case.formula is not None:
+        unlike, then = of_other_sizes(found, case.best)
+        if unlike:
+            return Judgement("cannot_tell", unlike, unseen, then, but_ends=False)
     but_ends = case.best is found.base and reasons == begins_and_ends(movements)
     then = what_next(movements) if but_ends else []
     return Judgement(verdict, reasons, unseen, then, but_ends)

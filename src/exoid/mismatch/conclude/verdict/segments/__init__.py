@@ -1,0 +1,1 @@
+"""What of a mismatch is not alike in all segments."""
