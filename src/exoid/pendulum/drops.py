@@ -12,6 +12,7 @@ from exoid.pendulum.off_clock import with_doubted_clock
 from exoid.pendulum.push import of_push
 from exoid.pendulum.smoothing import as_smoothed
 from exoid.recordings.conventions.jumps import AGAIN, jumps_of, told_jumps
+from exoid.recordings.conventions.lowered import WHY, lowered
 from exoid.recordings.landmarks.find_landmarks import find_landmarks
 from exoid.recordings.landmarks.measure import Measure, NotAllowed
 from exoid.recordings.landmarks.track import track_of
@@ -32,6 +33,7 @@ REFUSED = {
     ),
 }
 
+LOWERED = f"no drop: it moves slower than the others fall, {WHY}, and does not swing"
 OTHER = "not of the same channels as the other segments"
 
 
@@ -65,10 +67,12 @@ def drops_of(recording: Recording, before: str) -> list[Drop]:
     same = recording
     if len(numbers) < len(recording.segments):
         same = selection(recording, numbers)
+    refused = dict.fromkeys(lowered(recording), LOWERED)
+    refused |= {n: OTHER for n in range(len(recording.segments)) if n not in numbers}
     return [
-        drop(same, numbers.index(number), f"{before}{number}")
-        if number in numbers
-        else Drop(f"{before}{number}", segment, recording.added_mass(number), {}, None, OTHER)
+        Drop(f"{before}{number}", segment, recording.added_mass(number), {}, None, refused[number])
+        if number in refused
+        else drop(same, numbers.index(number), f"{before}{number}")
         for number, segment in enumerate(recording.segments)
     ]
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from exoid.recordings.conventions.balance import Balance, balance
+from exoid.recordings.conventions.balance import Balance, balance, swinging
 from exoid.recordings.conventions.counting import answers, counting
 from exoid.recordings.conventions.file_clock import measured
 from exoid.recordings.conventions.gyro_agreement import agreement
@@ -124,7 +124,9 @@ def wrong_convention(recording: Recording, told: Sensors, *, cut: bool) -> str |
         for number in range(len(recording.segments))
         if (found := swing(recording, number, cut=cut)) is not None
     }
-    wrong = {number: found for number, found in each.items() if not found.likely}
+    hanging = [number for number, found in each.items() if found.likely and found.balance]
+    judged = swinging(recording, list(each)) if hanging else each
+    wrong = {number: each[number] for number in judged if not each[number].likely}
     if not wrong:
         return None
     first = min(wrong)

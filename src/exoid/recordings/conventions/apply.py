@@ -23,6 +23,7 @@ from exoid.recordings.conventions.left_out.held_values import without_held
 from exoid.recordings.conventions.left_out.interpolated import without_interpolated
 from exoid.recordings.conventions.left_out.lost_samples import without_lost_samples
 from exoid.recordings.conventions.left_out.lost_time import without_lost_time
+from exoid.recordings.conventions.lowered import told_lowered, without_lowered
 from exoid.recordings.conventions.mounting import settled, turned
 from exoid.recordings.conventions.other_leg import another_leg
 from exoid.recordings.conventions.thin import thinned
@@ -64,11 +65,15 @@ def understand(
         recording, averaged = thinned(recording)
         notes = (*notes, *lost, *saturated, *averaged)
     found = cut_up(recording, sensors, cut, whole=whole)
+    if len(recording.segments) == 1 and recording.protocol.segment_start is None:
+        found = without_lowered(found)
     movements = found.recording
     refuse(wrong_convention(movements, sensors, cut=movements is not recording or not whole))
     refuse(wrong_sign(recording, sensors.flip))
     movements, broken = (movements, ()) if whole else without_lost_time(movements)
-    noticed = () if whole else (*found.notes, *broken, *another_leg(movements))
+    noticed = (
+        () if whole else (*found.notes, *broken, *told_lowered(movements), *another_leg(movements))
+    )
     recording, more = settled(recording if whole else movements, movements)
     return recording, (*notes, *more, *noticed)
 

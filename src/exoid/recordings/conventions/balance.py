@@ -1,4 +1,6 @@
-"""Where a swinging leg is in balance, and how hard it is drawn there: a regression, no fit."""
+"""Where a swinging leg is in balance, and how hard it is drawn there: a regression, no fit. And
+which segments swing at all.
+"""
 
 from dataclasses import dataclass
 
@@ -8,7 +10,10 @@ from numpy.typing import NDArray
 from exoid.recordings.conventions.file_clock import measured
 from exoid.recordings.measured.samples import Samples
 from exoid.recordings.measured.segment import Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.remembered import remembered
+from exoid.recordings.signal.condition import RINGING, SMOOTHING, reversals
+from exoid.recordings.signal.local_line import local_line
 
 WINDOW = 0.4  # s, a third of a swing
 STRIDE = 0.05  # s between windows
@@ -61,6 +66,24 @@ def balance(segment: Segment) -> Balance | None:
         pull_error=float(np.sqrt(along @ covariance @ along)),
         explained=1 - float(missed @ missed) / float(left @ left),
     )
+
+
+def middle(each: list[Balance]) -> Balance:
+    """The one in the middle; of two, the first."""
+    return sorted(each, key=lambda one: one.pull)[(len(each) - 1) // 2]
+
+
+@remembered
+def swings(segment: Segment) -> bool:
+    """Does the leg turn around? Whichever sign its angle has."""
+    time, angle = measured(segment)
+    smooth = local_line(time, angle, 2 * SMOOTHING)[0]
+    return bool(reversals(smooth, RINGING * float(np.ptp(smooth))))
+
+
+def swinging(recording: Recording, numbers: list[int]) -> list[int]:
+    """Those of some segments that swing; all where none does."""
+    return [each for each in numbers if swings(recording.segments[each])] or numbers
 
 
 def weak_form(time: Samples, angle: Samples) -> NDArray[np.float64]:

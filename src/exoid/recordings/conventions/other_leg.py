@@ -3,7 +3,7 @@
 import numpy as np
 
 from exoid.files.text_file import Notes
-from exoid.recordings.conventions.balance import Balance, balance
+from exoid.recordings.conventions.balance import Balance, balance, middle, swinging
 from exoid.recordings.recording import Recording
 
 APART = 1.3  # factor between the pulls of an adult and a child; effort and noise make 1.2
@@ -16,8 +16,9 @@ def another_leg(recording: Recording) -> Notes:
     if recording.subject.kind == "rig":
         return ()
     pulls: dict[float, dict[int, Balance]] = {}
-    for number, segment in enumerate(recording.segments):
-        found = balance(segment) if recording.kind(number) == "passive" else None
+    passive = [n for n in range(len(recording.segments)) if recording.kind(n) == "passive"]
+    for number in swinging(recording, passive):
+        found = balance(recording.segments[number])
         if found is not None and found.explained > EXPLAINED:
             pulls.setdefault(recording.added_mass(number), {})[number] = found
     return tuple(
@@ -29,11 +30,6 @@ def another_leg(recording: Recording) -> Notes:
         for number, each in alike.items()
         if apart(each, usual)
     )
-
-
-def middle(each: list[Balance]) -> Balance:
-    """The one in the middle; of two, the first."""
-    return sorted(each, key=lambda one: one.pull)[(len(each) - 1) // 2]
 
 
 def apart(one: Balance, other: Balance) -> bool:

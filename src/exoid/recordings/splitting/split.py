@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from exoid.files.counted import counted
+from exoid.files.counted import counted, some_of
 from exoid.recordings.declared.entry import known
 from exoid.recordings.declared.protocol import Protocol
 from exoid.recordings.declared.sensors import Sensors
@@ -148,9 +148,8 @@ def notes_of(log: Segment, pieces: list[Piece], what: str = "leg") -> tuple[str,
         f"{name} from {log.time[start]:.1f} to {log.time[stop - 1]:.1f} s"
         for name, start, stop in each
     ]
-    more = f", and {len(left) - SHOWN} more times" if len(left) > SHOWN else ""
-    left_out = f"left out, for a hand moved the {what}: {', '.join(left[:SHOWN])}{more}"
-    return (left_out,) if left else ()
+    said = f"left out, for a hand moved the {what}: {some_of(left, SHOWN, 'more times')}"
+    return (said,) if left else ()
 
 
 def marked_parts(log: Segment, starts: Marks, ends: Marks | None) -> list[slice]:

@@ -3,8 +3,8 @@
 from collections import defaultdict
 from collections.abc import Callable, Iterable
 
-from exoid.recordings.conventions.balance import Balance
-from exoid.recordings.conventions.other_leg import apart, middle
+from exoid.recordings.conventions.balance import Balance, middle
+from exoid.recordings.conventions.other_leg import apart
 from exoid.studies.dataset.check.finding import Findings, error, warning
 from exoid.studies.dataset.check.looked import Looked
 

@@ -7,8 +7,8 @@ import numpy as np
 
 from exoid.files.system_errors import told
 from exoid.files.visible import visible
-from exoid.recordings.conventions.balance import Balance, balance
-from exoid.recordings.conventions.other_leg import EXPLAINED, middle
+from exoid.recordings.conventions.balance import Balance, balance, middle
+from exoid.recordings.conventions.other_leg import EXPLAINED
 from exoid.recordings.declared.subject import Subject
 from exoid.recordings.loading.loaded import Loaded
 from exoid.recordings.rate import rate_of
