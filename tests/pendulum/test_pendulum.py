@@ -342,6 +342,18 @@ def test_a_rig_let_go_below_its_rest_is_read_from_the_top_that_it_swings_to(hold
     assert abs(decrement.value - below.decrement) < 4 * decrement.standard_error < 0.02
 
 
+def test_of_a_rig_let_go_below_its_rest_it_is_said_that_the_first_half_swing_is_passed_over():
+    rig = Subject(kind="rig")
+    above, below = (
+        measure_drops(
+            replace(drop(Oscillator(rest=-0.3, amplitude=each), noise=NOISE), subject=rig)
+        )
+        for each in (0.8, -0.8)
+    )
+    assert above.drops[0].note is None
+    assert " s: that half swing is passed over" in (below.drops[0].note or "")
+
+
 @pytest.mark.parametrize("seed", range(5))
 def test_how_fast_a_record_begins_is_told_within_its_error(seed):
     recording = drop(noise=0.001, seed=seed)

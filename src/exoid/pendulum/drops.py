@@ -6,7 +6,7 @@ from exoid.files.counted import counted
 from exoid.pendulum.catalogue import MEASURES
 from exoid.pendulum.drift import read_off
 from exoid.pendulum.drop import Average, Drop, PendulumTest
-from exoid.pendulum.halt import of_halt, of_stop
+from exoid.pendulum.halt import of_halt, of_rise, of_stop
 from exoid.pendulum.off_body import with_doubted_times
 from exoid.pendulum.off_clock import with_doubted_clock
 from exoid.pendulum.push import of_push
@@ -100,7 +100,7 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         read, smoothed = as_smoothed(drifting.measures, cleaned.angle, recording)
         read, clock = with_doubted_clock(read, cleaned.recording)
         read, times = with_doubted_times(read, cleaned.recording, number)
-        push = of_push(found, drifting.measures) if handled else None
+        push = of_push(found, drifting.measures) if handled else of_rise(track, found)
         wild = of_wild_samples(recording.segments[number], segment)
         notes = stop, drifting.note, smoothed, clock, times, push, wild
         note = "; ".join(filter(None, notes)) or None

@@ -1,11 +1,11 @@
-"""A halt in the first swing, as a stretch reflex makes one, and a stop that a leg meets: amplitude
-and index hang on both.
+"""A halt in the first swing, as a stretch reflex makes one, and a stop that a leg meets, amplitude
+and index hang on both; and a rig's first swing that goes up, on which nothing hangs.
 """
 
 import numpy as np
 
 from exoid.recordings.landmarks.landmarks import Landmarks
-from exoid.recordings.landmarks.track import HALF, SURE
+from exoid.recordings.landmarks.track import HALF, SURE, Track
 from exoid.recordings.measured.samples import Samples
 from exoid.recordings.signal.condition import MOTION_SPEED
 
@@ -29,6 +29,17 @@ def of_stop(drop: Landmarks) -> str | None:
         f"{max(found.lasting, 0.01):.2f} s, by {np.degrees(found.gained):.0f} deg/s, as only "
         "something hard turns it, a stop or the end of its range: amplitudes, indices and "
         "decrements of swings that end there are of that. Let it swing clear"
+    )
+
+
+def of_rise(given: Track, drop: Landmarks) -> str | None:
+    """That a rig which was let go below its rest is read from where it first turns back."""
+    first, top = (float(each.time[0]) for each in (given, drop.track))
+    if top == first:
+        return None
+    return (
+        f"it was let go where it swings up, to {np.degrees(drop.track.angle[0]):.1f} deg at "
+        f"{top:.2f} s: that half swing is passed over, and all is read from its top on"
     )
 
 
