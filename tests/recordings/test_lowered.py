@@ -94,5 +94,13 @@ def test_a_drop_that_is_caught_in_its_fall_is_none_that_was_lowered(caught):
     assert lowered(recording(swung, slowed(stopped))) == (1,)
 
 
+def test_beside_one_that_was_pushed_none_that_fell_by_itself_is_said_to_be_lowered():
+    angle = fall(start=-0.3, duration=9.0)[1]
+    begin = int(np.argmax(angle < -0.9))  # a push: it has the speed of a fall from higher up
+    pushed = sensed(still(angle[begin], 0.5), angle[begin:])
+    caught = sensed(still(-0.3, 0.5), angle[:45], still(angle[45], 1.0))
+    assert lowered(recording(pushed, caught)) == ()
+
+
 def slowed(segment: Segment) -> Segment:
     return replace(segment, time=2 * segment.time)

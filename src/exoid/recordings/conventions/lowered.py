@@ -42,7 +42,8 @@ def among(recording: Recording, numbers: list[int]) -> list[int]:
     if not swung:
         return []
     usual = middle([found for each in swung if (found := balance(each)) is not None])
-    least = LEAST * float(np.median([gained(each, usual) for each in swung]))
+    # One that a hand or a muscle pushes gains more than its fall gives.
+    least = LEAST * min(float(np.median([gained(each, usual) for each in swung])), 1.0)
     return [
         number
         for number, each in segments.items()
