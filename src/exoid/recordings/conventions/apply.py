@@ -18,6 +18,7 @@ from exoid.recordings.conventions.file_clock import (
     wrong_clock,
 )
 from exoid.recordings.conventions.gyro_agreement import dead_gyro, wrong_sign, wrong_unit
+from exoid.recordings.conventions.left_out.angle_limit import without_clipped
 from exoid.recordings.conventions.left_out.gyro_limit import without_saturated
 from exoid.recordings.conventions.left_out.held_values import without_held
 from exoid.recordings.conventions.left_out.interpolated import without_interpolated
@@ -60,10 +61,11 @@ def understand(
     refuse(tiny(recording) or dead_gyro(recording) or wrong_unit(recording))
     notes = (*unlike_rate(recording), *held, *drawn, *batched, *notes)
     if not whole:
+        recording, clipped = without_clipped(recording)
         recording, lost = without_lost_samples(recording)
         recording, saturated = without_saturated(recording)
         recording, averaged = thinned(recording)
-        notes = (*notes, *lost, *saturated, *averaged)
+        notes = (*notes, *clipped, *lost, *saturated, *averaged)
     found = cut_up(recording, sensors, cut, whole=whole)
     if len(recording.segments) == 1 and recording.protocol.segment_start is None:
         found = without_lowered(found)

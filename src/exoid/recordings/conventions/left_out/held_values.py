@@ -114,9 +114,11 @@ def beginning(samples: Samples) -> Mask:
 
 
 def of_runs(starts: Mask, moves: Mask) -> NDArray[np.int_]:
-    """How often a value stands in a row, of those that begin where the signal moves."""
+    """How often a value stands in a row, of those that stand where the signal moves: all along, for
+    at the end of its range, or where it turns, it stands by itself.
+    """
     at = np.flatnonzero(starts)
-    return np.diff(at, append=starts.size)[moves[at]]
+    return np.diff(at, append=starts.size)[np.logical_and.reduceat(moves, at)]
 
 
 def repeated(starts: Mask, moves: Mask, often: int) -> Mask:

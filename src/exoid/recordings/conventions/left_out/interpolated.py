@@ -58,7 +58,8 @@ def made_in(recording: Recording, name: str) -> tuple[list[Mask], int] | None:
 
 def written_step(signals: list[Samples]) -> float:
     """By which two values differ at the least, beyond the rounding of a computer."""
-    steps = np.diff(np.unique(np.concatenate(signals)))
+    values = np.unique(np.concatenate(signals))
+    steps = np.diff(values[~np.isnan(values)])
     return float(steps[steps > ROUNDING].min(initial=np.inf))
 
 
