@@ -8,6 +8,7 @@ from exoid.fitting.result.remarks.added_mass_remarks import of_misplaced, of_und
 from exoid.fitting.result.remarks.anatomy_remarks import of_anatomy
 from exoid.fitting.result.remarks.doubted_times import as_told
 from exoid.fitting.result.remarks.noise_remarks import of_leg_tone, tone_of
+from exoid.fitting.result.remarks.pushed.damping_law import DampingLaw, of_law
 from exoid.fitting.result.remarks.remarks import remarks
 from exoid.fitting.result.remarks.rig_words import of_rig
 from exoid.fitting.result.remarks.scale_remarks import of_scale
@@ -22,7 +23,12 @@ WIDENED = "Errors are widened for it: record the leg without it, if that can be.
 
 
 def notes(
-    result: FitResult, basis: Basis, at_bound: set[str], rate: float, slack: Leaning | None
+    result: FitResult,
+    basis: Basis,
+    at_bound: set[str],
+    rate: float,
+    slack: Leaning | None,
+    law: DampingLaw | None,
 ) -> list[str]:
     """What the user should know of a fit whose times may be off by a share `rate`, in the words of
     its leg or rig; of one that does not follow what does not hang on it.
@@ -31,12 +37,17 @@ def notes(
     if result.astray is not None:
         said = of_refused(result.astray, basis)
     else:
-        said = of_a_fit(result, basis, at_bound, rate, slack)
+        said = of_a_fit(result, basis, at_bound, rate, slack, law)
     return [of_rig(each) for each in said] if problem.belief.rig else said
 
 
 def of_a_fit(
-    result: FitResult, basis: Basis, at_bound: set[str], rate: float, slack: Leaning | None
+    result: FitResult,
+    basis: Basis,
+    at_bound: set[str],
+    rate: float,
+    slack: Leaning | None,
+    law: DampingLaw | None,
 ) -> list[str]:
     """What is said of one that follows its recording, the most important first."""
     problem, ended = basis.problem, basis.ended
@@ -53,6 +64,7 @@ def of_a_fit(
         *of_unlike(result.segments, ended.disturbance),
         *swung,
         *remarks(problem, ended, at_bound, inertia, swung=bool(swung)),
+        *of_law(law, problem, ended),
         *of_scale(result.parameters, result.segments),
         *of_far_zeros(problem, ended),
         *slack_angle_remarks(slack),

@@ -43,14 +43,17 @@ class Moved:
         return float(np.linalg.norm([np.linalg.norm(gradient @ each) for each in self.by.values()]))
 
 
-def moved(problem: Problem, ended: SearchResult, information: Information) -> Moved:
-    """By the zero of a torque's sensor, and by a law that a leg follows otherwise than a term."""
-    return Moved(
-        {
-            "torque_zero": moved_by_torque_zero(problem, ended),
-            "reflex_form": moved_by_law(problem, ended, information),
-        }
-    )
+def moved(
+    problem: Problem, ended: SearchResult, information: Information, by_damping: np.ndarray | None
+) -> Moved:
+    """By the zero of a torque's sensor, by a law that a leg follows otherwise than a term, and
+    `by_damping` of another law, where one is seen.
+    """
+    each = {
+        "torque_zero": moved_by_torque_zero(problem, ended),
+        "reflex_form": moved_by_law(problem, ended, information),
+    }
+    return Moved(each if by_damping is None else each | {"damping_law": by_damping[:, None]})
 
 
 def moved_by_law(problem: Problem, ended: SearchResult, information: Information) -> np.ndarray:

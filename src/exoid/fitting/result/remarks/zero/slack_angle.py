@@ -1,22 +1,17 @@
 """What a leg's numbers lean on: that the knee's spring is slack at full extension (Eq. 9).
 
 With the rest angle phi_r the spring is -c (phi - phi_r): beside Eq. 9 a constant torque c phi_r
-acts. Near the end point a fit without it errs by H^-1 A'S of that torque over J, with the
-sensitivities A of the residual r, S its answer to the torque, and H = A'A and what is believed:
-the ratios move, and by what anatomy believes of J / (m l) the parameters with them. The data tell
-S'S - S'A H^-1 A'S of the torque, and show S'A H^-1 g - S'r over that: at a minimum the slope g is
-0, but where the torque is hardly told apart, a little of it counts.
+acts. A fit without it errs (`answer`): the ratios move, and by what anatomy believes of J / (m l)
+the parameters with them.
 """
 
 from collections.abc import Callable
 
 import numpy as np
 
-from exoid.fitting.misfit.neighbourhood import prior_information, pull_of_belief
-from exoid.fitting.misfit.uncertainty import decomposed, inverse_times
 from exoid.fitting.model.coordinates import Coordinates, flattened, layout, unflattened
-from exoid.fitting.model.prior import mounting_residual
 from exoid.fitting.multistart.search_result import SearchResult
+from exoid.fitting.result.remarks.pushed.answer import answer, beyond_noise
 from exoid.fitting.result.remarks.zero.leaning import (
     BENT,
     CONSTANT,
@@ -24,7 +19,6 @@ from exoid.fitting.result.remarks.zero.leaning import (
     STIFFER,
     Leaning,
 )
-from exoid.fitting.solve.ask import grams_at
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.term import name_of
 
@@ -67,7 +61,7 @@ def leaning(
     stiffness, terms = float(ended.point.shared.stiffness), map(name_of, problem.terms)
     if problem.belief.rig or stiffness <= 0 or CONSTANT & set(terms):
         return None
-    pull, left, seen = answer(problem, ended, free)
+    pull, left, seen = answer(problem, ended, free, [1.0] * len(problem.kinds))
     spring = float(ended.local.quantities[problem.quantities.index(LEANING[1])] @ pull)
     torque = -stiffness * BENT / max(1 - spring * BENT, 1 / STIFFER)
     error, found = (left**-0.5, seen / left) if left > 0 else (np.inf, 0.0)
@@ -87,15 +81,6 @@ def leaning(
 def shown_slack(problem: Problem, ended: SearchResult, free: np.ndarray) -> Leaning | None:
     """The same, whatever it makes of a result's numbers."""
     return leaning(problem, ended, free, lambda _: {})
-
-
-def beyond_noise(problem: Problem, ended: SearchResult) -> float:
-    """The squares that a fit misses beyond the noise, and those of what it takes recordings to own
-    instead, over what is usual; at least those of one reading.
-    """
-    owned = mounting_residual(ended.held or problem.belief.prior, ended.point.mounting, np)
-    missed = float(ended.best.misfit[0]) - float(problem.samples.sum())
-    return max(missed, 0.0) + max(float(owned @ owned), 1.0)
 
 
 def likely(stiffness: float, spring: float, shown: float, error: float) -> float:
@@ -120,27 +105,3 @@ def moved(numbers: Numbers, ended: SearchResult, steps: np.ndarray) -> dict[str,
     there = unflattened(here + steps * layout(ended.point).units, ended.point)
     before, after = map(numbers, (ended.point, there))
     return {name: after[name] - before[name] for name in before}
-
-
-def answer(
-    problem: Problem, ended: SearchResult, free: np.ndarray
-) -> tuple[np.ndarray, float, float]:
-    """H^-1 A'S for a constant torque of 1 rad/s^2 times J; what the data tell of the torque beside
-    the coordinates; and, over that, the torque that they show.
-    """
-    scale = ended.disturbance.scale * ended.disturbance.weighing(problem.kinds)
-    prior, point = ended.held or problem.belief.prior, ended.point
-    known = ended.local.prior - prior_information(point, problem.belief.prior)
-    known += prior_information(point, prior)
-    slope, uphill = np.zeros(len(known)), pull_of_belief(point, prior)
-    own = seen = 0.0
-    for each, unit in zip(grams_at(problem, ended.best, 0, ["torque"]), scale, strict=True):
-        gram = each["torque"]
-        pushed, fitted = gram.effect.sum(axis=1) / unit, gram.fitted / unit**2
-        known[np.ix_(gram.place, gram.place)] += fitted[:-1, :-1]
-        uphill[gram.place] += fitted[:-1, -1]
-        slope[gram.place] += pushed @ gram.inside[:, :-1] / unit
-        own += pushed @ pushed
-        seen -= pushed @ gram.inside[:, -1] / unit
-    pull = free @ inverse_times(decomposed(free.T @ known @ free), free.T @ slope)
-    return pull, float(own - slope @ pull), float(seen + pull @ uphill)

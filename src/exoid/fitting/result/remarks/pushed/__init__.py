@@ -1,0 +1,1 @@
+"""What a torque that no model has would make of a fit."""

@@ -1,0 +1,61 @@
+"""Damping of another law than Eq. 9's leaves little; that is told, and ± holds what it moves."""
+
+import re
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import exoid
+
+GRAVITY, STIFFNESS, DAMPING = 26.5, 4.0, 0.5  # over J
+NOISE = np.radians([0.05, 0.15])  # rad, rad/s
+LONG = 8.0  # s
+
+
+def drops(friction: float, drag: float) -> exoid.Recording:
+    """Three drops of a leg with F_c / J [1/s^2] and b / J [1/rad] beside Eq. 9."""
+
+    def pull(_, state):
+        angle, rate = state
+        law = friction * np.tanh(rate / 2e-3) + drag * rate * abs(rate)
+        return [rate, -GRAVITY * np.cos(angle) - STIFFNESS * angle - DAMPING * rate - law]
+
+    time, random = np.arange(0.0, LONG, 0.01), np.random.default_rng(3)
+    segments = []
+    for start in (-0.2, -0.5, -0.35):
+        begin = [start, 0.0]
+        leg = solve_ivp(pull, (0, LONG), begin, "LSODA", time, rtol=1e-9, max_step=0.01)
+        angle, rate = leg.y + NOISE[:, None] * random.normal(size=leg.y.shape)
+        segments.append(exoid.Segment(time, raw_angle=angle, raw_angular_velocity=rate))
+    return exoid.Recording(tuple(segments))
+
+
+def told(result: exoid.FitResult) -> list[str]:
+    return [note for note in result.notes if "most of what is missed is as" in note]
+
+
+@pytest.mark.parametrize(
+    ("friction", "drag", "term"),
+    [(0.015, 0.0, "coulomb_friction"), (0.0, 0.004, "quadratic_drag")],
+)
+def test_numbers_are_within_their_errors_and_where_it_says_with_the_law(friction, drag, term):
+    result = exoid.fit(drops(friction, drag), multistart=2)
+    damping = result.ratios["damping_over_inertia"]
+    off = abs(damping.value - DAMPING)
+    assert off > 0.004  # by which Eq. 9 alone errs
+    assert off < 1.5 * damping.standard_error
+    (note,) = told(result)
+    assert f"--with {term}" in note
+    size, with_law = (float(each) for each in re.findall(r"(?:J =|would be) ([0-9.e-]+)", note))
+    assert size == pytest.approx(friction or drag, rel=0.1)
+    assert with_law == pytest.approx(DAMPING, abs=0.1 * off)
+    fitted = exoid.fit(drops(friction, drag), multistart=2, terms=(term,))
+    assert told(fitted) == []
+    assert fitted.ratios["damping_over_inertia"].value == pytest.approx(with_law, abs=0.1 * off)
+
+
+def test_of_a_leg_that_obeys_nothing_is_said():
+    result = exoid.fit(drops(0.0, 0.0), multistart=2)
+    assert told(result) == []
+    assert result.ratios["damping_over_inertia"].standard_error < 1e-3 * DAMPING
