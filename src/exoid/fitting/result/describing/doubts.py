@@ -10,8 +10,9 @@ from exoid.fitting.result.fit_result import FitResult, MountingFit
 from exoid.fitting.result.remarks.added_mass_remarks import misplaced
 from exoid.fitting.result.remarks.anatomy_remarks import SWING
 from exoid.fitting.result.remarks.doubted_times import doubted_rate, off_by_times
+from exoid.fitting.result.remarks.pushed.answer import Numbers
 from exoid.fitting.result.remarks.zero.leaning import LEANING, Leaning
-from exoid.fitting.result.remarks.zero.slack_angle import Numbers, left_open
+from exoid.fitting.result.remarks.zero.slack_angle import left_open
 from exoid.fitting.result.untold import (
     doubted_scale,
     with_times,

@@ -14,6 +14,7 @@ from exoid.fitting.result.remarks.rig_words import of_rig
 from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.fitting.result.remarks.zero.far_zeros import of_far_zeros
 from exoid.fitting.result.remarks.zero.leaning import Leaning
+from exoid.fitting.result.remarks.zero.slack_angle import shown_slack
 from exoid.fitting.result.remarks.zero.slack_words import slack_angle_remarks
 from exoid.fitting.result.systematics.granted import granted
 from exoid.fitting.result.systematics.limiting import limiting
@@ -35,7 +36,8 @@ def notes(
     """
     problem = basis.problem
     if result.astray is not None:
-        said = of_refused(result.astray, basis)
+        shown = shown_slack(problem, basis.ended, basis.information.open)
+        said = of_refused(result.astray, basis, shown)
     else:
         said = of_a_fit(result, basis, at_bound, rate, slack, law)
     return [of_rig(each) for each in said] if problem.belief.rig else said

@@ -16,7 +16,7 @@ from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.refused.own_swing import own_swing, rests
 from exoid.fitting.result.remarks.gyro_remarks import scale_of
 from exoid.fitting.result.remarks.remarks import as_taken, of_astray
-from exoid.fitting.result.remarks.zero.slack_angle import shown_slack
+from exoid.fitting.result.remarks.zero.leaning import Leaning
 from exoid.fitting.result.remarks.zero.slack_words import of_missed
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.anatomy.likeness import pendulum_length
@@ -66,14 +66,16 @@ DRIVEN = (
 )
 
 
-def of_refused(why: str, basis: Basis) -> list[str]:
-    """That it is not followed, what it shows of itself, and what may be behind it."""
+def of_refused(why: str, basis: Basis, slack: Leaning | None) -> list[str]:
+    """That it is not followed, what it shows of itself and of a `slack` spring, and what may be behind
+    it.
+    """
     problem, ended = basis.problem, basis.ended
     movements, rig = problem.movements, problem.belief.rig
     seat = turned_away(problem, ended)
     return [
         *of_astray(why, problem),
-        *of_slack(basis),
+        *([] if basis.ended.disturbance.apart else of_missed(slack)),
         *of_sensors(movements),
         *([] if rig else of_swing(problem.belief, movements)),
         *of_rests(movements),
@@ -81,13 +83,6 @@ def of_refused(why: str, basis: Basis) -> list[str]:
         of_causes({each.kind for each in movements}, rig=rig, seat=seat),
         *as_taken(problem, ended.disturbance),
     ]
-
-
-def of_slack(basis: Basis) -> list[str]:
-    """That it is missed as by a slack spring; nothing where kinds of segments are weighed apart."""
-    if basis.ended.disturbance.apart:
-        return []
-    return of_missed(shown_slack(basis.problem, basis.ended, basis.information.open))
 
 
 def turned_away(problem: Problem, ended: SearchResult) -> bool:

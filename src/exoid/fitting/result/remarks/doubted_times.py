@@ -11,8 +11,8 @@ from exoid.fitting.misfit.uncertainty import decomposed, inverse_times
 from exoid.fitting.model.coordinates import layout
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.remarks.anatomy_remarks import Times, bent_explains, off_rate_of
+from exoid.fitting.result.remarks.pushed.answer import Numbers, moved
 from exoid.fitting.result.remarks.zero.leaning import Leaning
-from exoid.fitting.result.remarks.zero.slack_angle import Numbers, moved
 from exoid.fitting.solve.problem import Problem
 from exoid.recordings.signal.both_sensors.sensor_scales import suspected
 

@@ -6,16 +6,19 @@ the torque, and show S'A H^-1 g - S'r over that: at a minimum the slope g is 0, 
 is hardly told apart, a little of it counts.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from exoid.fitting.misfit.neighbourhood import prior_information, pull_of_belief
 from exoid.fitting.misfit.uncertainty import decomposed, inverse_times
+from exoid.fitting.model.coordinates import Coordinates, flattened, layout, unflattened
 from exoid.fitting.model.prior import mounting_residual
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.solve.ask import grams_at
 from exoid.fitting.solve.problem import Problem
+
+Numbers = Callable[[Coordinates], dict[str, float]]  # of a result, at a point
 
 
 def answer(
@@ -55,3 +58,11 @@ def beyond_noise(problem: Problem, ended: SearchResult) -> float:
     owned = mounting_residual(ended.held or problem.belief.prior, ended.point.mounting, np)
     missed = float(ended.best.misfit[0]) - float(problem.samples.sum())
     return max(missed, 0.0) + max(float(owned @ owned), 1.0)
+
+
+def moved(numbers: Numbers, ended: SearchResult, steps: np.ndarray) -> dict[str, float]:
+    """How far every one of a result's `numbers` goes with these steps of the coordinates."""
+    here = flattened(ended.point)
+    there = unflattened(here + steps * layout(ended.point).units, ended.point)
+    before, after = map(numbers, (ended.point, there))
+    return {name: after[name] - before[name] for name in before}

@@ -5,13 +5,10 @@ acts. A fit without it errs (`answer`): the ratios move, and by what anatomy bel
 the parameters with them.
 """
 
-from collections.abc import Callable
-
 import numpy as np
 
-from exoid.fitting.model.coordinates import Coordinates, flattened, layout, unflattened
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.result.remarks.pushed.answer import answer, beyond_noise
+from exoid.fitting.result.remarks.pushed.answer import Numbers, answer, beyond_noise, moved
 from exoid.fitting.result.remarks.zero.leaning import (
     BENT,
     CONSTANT,
@@ -25,7 +22,6 @@ from exoid.physics.term import name_of
 TOLD = np.radians(5.0)  # error of the rest angle below which a fit by itself shows one of BENT
 FELT, WORTH = 2.0, 0.01  # errors, and share, of a ratio left open where the rest angle is told
 REACH, STEPS = 6.0, 20_001  # errors of the torque, beyond which none is likely; so many are tried
-Numbers = Callable[[Coordinates], dict[str, float]]  # of a result, at a point
 
 
 def left_open(
@@ -97,11 +93,3 @@ def likely(stiffness: float, spring: float, shown: float, error: float) -> float
     unlikely = (angle / BENT) ** 2 + ((torque - shown) / error) ** 2
     weight = np.exp((unlikely.min() - unlikely) / 2)
     return float(np.sqrt(np.average(torque**2, weights=weight)))
-
-
-def moved(numbers: Numbers, ended: SearchResult, steps: np.ndarray) -> dict[str, float]:
-    """How far every one of a result's `numbers` goes with these steps of the coordinates."""
-    here = flattened(ended.point)
-    there = unflattened(here + steps * layout(ended.point).units, ended.point)
-    before, after = map(numbers, (ended.point, there))
-    return {name: after[name] - before[name] for name in before}
