@@ -40,11 +40,11 @@ def planned(command, folder, *arguments):
 def test_a_plan_after_a_bare_drop_asks_for_a_loaded_one(command, recordings, tmp_path):
     said, document = planned(command, tmp_path, recordings / "drop.csv")
     assert "What to record next for inertia J" in said
-    assert "0.5 kg at the ankle" in said
+    assert "kg at the ankle" in said
     assert "let go without a push" in " ".join(said.split())
-    # A mass whose place and extent nobody declared leaves J some per cent; anatomy leaves it 10.
-    assert document["standard_error_after"] < 0.3 * document["standard_error_before"]
-    assert any(each["added_mass_kg"] == 0.5 for each in document["proposed"])
+    # Damping and stiffness that may change with the load leave J some per cent; anatomy, 10.
+    assert document["standard_error_after"] < 0.5 * document["standard_error_before"]
+    assert any(each["added_mass_kg"] > 0 for each in document["proposed"])
     errors = [each["standard_error"] for each in document["options"]]
     assert errors == sorted(errors)
 

@@ -47,7 +47,9 @@ def posed(known: PriorKnowledge, options: dict[Candidate, Movement]) -> tuple[Pr
     begin.
     """
     own = {"systematics": known.systematics, "least_mass": known.least_mass}
-    movements = [replace(each, **own) for each in options.values()]
+    movements = [
+        replace(each, recording=number, **own) for number, each in enumerate(options.values())
+    ]
     problem = pose(movements, known.belief, "1/T", Raw(), terms=known.classes)
     states = np.array([first_state(each) for each in movements])
     torque = np.array([option.motion.amplitude or 0.0 for option in options])

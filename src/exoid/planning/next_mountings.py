@@ -52,16 +52,16 @@ def with_recordings(
     chosen: Sequence[Candidate],
 ) -> np.ndarray:
     """The information of what was recorded, of the `belief`, and of these candidates, a recording
-    for every seat, on what the belief is of: the leg, and maybe more behind it.
+    for every seat and load, on what the belief is of: the leg, and maybe more behind it.
     """
-    seats = list(dict.fromkeys(each.thigh_angle for each in chosen))
+    seats = list(dict.fromkeys(each.seat for each in chosen))
     size, leg, each = len(belief), len(known.prior), len(known.owned)
     held = size + len(known.information) - leg
     total = np.zeros((held + each * len(seats),) * 2)
     total[:size, :size] = belief
     add(total, [*range(leg), *range(size, held)], known.information)
     for one in chosen:
-        first = held + each * seats.index(one.thigh_angle)
+        first = held + each * seats.index(one.seat)
         add(total, [*range(size), *range(first, first + each)], told[one])
     rows = beliefs(known, told, chosen, seats)
     total[size:, size:] += rows.T @ rows
@@ -77,7 +77,7 @@ def beliefs(
     known: PriorKnowledge,
     told: Iterable[Candidate],
     chosen: Sequence[Candidate],
-    seats: list[float],
+    seats: list[tuple[float, float, float]],
 ) -> Float[np.ndarray, "row mounting"]:
     """What is believed of the next mountings, given those at hand, which come first: W value / sd.
 
@@ -99,13 +99,15 @@ def beliefs(
     return found.reshape(-1, before + len(known.owned) * len(seats)) if seats else found[0]
 
 
-def next_of(known: PriorKnowledge, chosen: Sequence[Candidate], seats: list[float]) -> list[Next]:
+def next_of(
+    known: PriorKnowledge, chosen: Sequence[Candidate], seats: list[tuple[float, float, float]]
+) -> list[Next]:
     """The candidates as movements of recordings that come after those at hand."""
     first = 1 + max((one.recording for one in known.movements), default=-1)
     declared = known.movements[0].systematics if known.movements else known.systematics
     return [
         Next(
-            recording=first + seats.index(each.thigh_angle),
+            recording=first + seats.index(each.seat),
             session=known.movements[-1].session if known.movements else None,
             sensors=known.movements[-1].sensors if known.movements else Sensors(),
             thigh_angle=each.thigh_angle,

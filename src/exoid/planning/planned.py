@@ -15,6 +15,13 @@ class Candidate:
     thigh_angle: Annotated[float, "rad"] = 0.0
 
     @property
+    def seat(self) -> tuple[float, float, float]:
+        """What it has in common with others of one recording: the thigh's angle [rad], the added
+        mass [kg], beside which a leg may be damped in a way of its own, and where that sits [m].
+        """
+        return self.thigh_angle, self.motion.added_mass, self.motion.added_mass_distance
+
+    @property
     def effort(self) -> float:
         """Of the person who records it, against a bare drop."""
         return 1.0 + 0.5 * (self.motion.added_mass > 0) + 2.0 * (self.thigh_angle != 0)
