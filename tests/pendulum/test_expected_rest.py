@@ -104,3 +104,24 @@ def test_a_leg_that_a_hand_held_softly_before_its_rest_has_an_error_that_holds_t
     assert abs(each[0].value - leg.rest) == pytest.approx(left, rel=0.2)
     assert all(abs(one.value - leg.rest) < 2 * one.standard_error for one in each)
     assert each[1].standard_error < 0.1 * each[0].standard_error
+
+
+@pytest.mark.parametrize("tone", [-4.0, 3.0])
+def test_where_a_muscle_shifts_the_middle_of_the_swings_the_error_holds_the_passive_rest(tone):
+    """Swings about -1.4 rad, of which a muscle [1/s^2] sets in after one and a half."""
+    pull, damping, step, hold = 30.0, 0.8, 0.002, 1.0
+    time = np.arange(0.0, 2.6, step)
+    angle, speed = np.empty((2, time.size))
+    angle[0], speed[0] = -0.4, 0.0
+    for at, now in enumerate(time[:-1]):
+        rate = -pull * (angle[at] + 1.4) - damping * speed[at] + tone * (now > 0.9)
+        speed[at + 1] = speed[at] + step * rate
+        angle[at + 1] = angle[at] + step * speed[at + 1]
+    every = 5
+    whole = np.concatenate([np.full(int(hold / step / every), angle[0]), angle[::every]])
+    noisy = whole + 5e-4 * np.random.default_rng(0).standard_normal(whole.size)
+    (found,) = measure_drops(recorded(noisy, step * every * np.arange(whole.size))).drops
+    kept = found.measures["expected_relaxation_index"]
+    passive = 1 + np.exp(-damping / 2 * np.pi / np.sqrt(pull - damping**2 / 4))
+    assert abs(kept.value - passive) > 0.05
+    assert abs(kept.value - passive) < 3 * kept.standard_error

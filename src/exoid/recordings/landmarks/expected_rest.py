@@ -8,6 +8,7 @@ from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import SURE, Peak
 
 FEWEST = 3  # turns
+LAST = 3  # middles of swings, by which the next may move
 
 
 def expected_rest(turns: Sequence[Peak]) -> Peak:
@@ -33,6 +34,16 @@ def expected_rest(turns: Sequence[Peak]) -> Peak:
     value = last.value - after * share / (1.0 + share)
     error = float(np.linalg.norm([*errors, band(turns) / 3**0.5]))
     return Peak(last.sample, last.time, last.time_error, value, error)
+
+
+def middles(ends: Sequence[Peak]) -> list[float]:
+    """The angles to which swings shrink, by every three ends of them in turn [rad]: one, of a leg
+    whose torque is as its angle; of a muscle that tightens or lets go they move.
+    """
+    angles = np.array([each.value for each in ends])
+    before, after = np.diff(angles)[:-1], np.diff(angles)[1:]
+    share = np.abs(after / before)
+    return (angles[2:] - after * share / (1.0 + share)).tolist()
 
 
 def band(turns: Sequence[Peak], sure: float = SURE) -> float:

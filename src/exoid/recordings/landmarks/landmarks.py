@@ -1,11 +1,11 @@
 """The places of a drop that its measures are read from, each found or refused with the reason."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
-from exoid.recordings.landmarks.expected_rest import expected_rest
+from exoid.recordings.landmarks.expected_rest import LAST, expected_rest, middles
 from exoid.recordings.landmarks.impact.impact import Impact
 from exoid.recordings.landmarks.local_polynomial import LocalPolynomials, local
 from exoid.recordings.landmarks.measure import NotAllowed, given, ordinal
@@ -61,14 +61,18 @@ class Landmarks:
     @property
     def expected_rest(self) -> Peak:
         """The angle of rest; of a leg that was caught before, or whose record was cut, the
-        one that its swings shrink to.
+        one that its swings shrink to, which the error allows to move on as it last did.
         """
         if not isinstance(self.rested, CutBefore):
             return self.rest.angle
         self.check_counted()
         for each in self.turns:
             self.track.check_seen(each.time)
-        return expected_rest(self.turns)
+        found = expected_rest(self.turns)
+        start = self.released.start if isinstance(self.released, Release) else None
+        ends = self.turns if start is None or self.held else [start, *self.turns]
+        moved = float(np.ptp(middles(ends)[-LAST:]))
+        return replace(found, error=float(np.hypot(found.error, moved)))
 
     def flexion(self, number: int) -> Peak:
         """The peak of the number-th flexion, from 1."""
