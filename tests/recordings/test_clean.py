@@ -89,3 +89,31 @@ def test_hum_is_not_heard_in_a_frame_that_strikes():
         times = [one.time for one in each]
         rates = [one.raw_angular_velocity for one in each if one.raw_angular_velocity is not None]
         assert find_tone(times, rates, how.gyro_noise) is None
+
+
+@pytest.mark.parametrize("value", [0.0, -3.0])
+@pytest.mark.parametrize("share", [0.01, 0.05])
+def test_a_value_that_a_logger_writes_for_none_is_left_out_wherever_it_stands(value, share):
+    """Alone, in crowds, so often that they outnumber the leg's turns, and at both ends."""
+    random, given, wild = np.random.default_rng(1), recording(rate=200), []
+    for each in given.segments:
+        mask = random.uniform(size=each.time.size) < share
+        mask[[1, 60, 62, 64, -1]] = True
+        wild.append(np.where(mask, value, each.raw_angle))
+    segments = [replace(one, raw_angle=own) for one, own in zip(given.segments, wild, strict=True)]
+    found = clean(replace(given, segments=tuple(segments)))
+    for one, left in zip(segments, found.recording.segments, strict=True):
+        assert np.array_equal(np.isnan(left.raw_angle), one.raw_angle == value)
+
+
+@pytest.mark.parametrize("rate", [25, 50, 200])
+@pytest.mark.parametrize("first", range(5))
+def test_an_angle_that_begins_or_ends_at_any_speed_is_left_whole(rate, first):
+    """Let go at the first samples, or cut as it falls."""
+    time, angle = sampled(rate, NOISE / 10)
+    held = np.concatenate([np.full(first, angle[0]), angle])
+    time = np.arange(held.size) / rate
+    for last in range(held.size - 20, held.size):
+        whole = Segment(time[:last], raw_angle=held[:last])
+        found = clean(Recording((whole,))).recording.segments[0]
+        assert not np.isnan(found.raw_angle).any()

@@ -14,6 +14,9 @@ REACH = 2 * NEIGHBOURS + 1
 NEAR = 3 * REACH  # samples, within which neighbours speak for one
 SMALLEST = 1e-3  # rad or rad/s, of a spike: smaller ones change nothing, and a release has them
 CLUSTER = 5  # samples, among which more than one spike are no spikes but an event
+LEAPS = 4.0  # times the greatest step beside it, of an angle that leaps at an end
+SMALLEST_LEAP = np.radians(2.0)  # of an angle, at an end or to a value that others leap to
+FEWEST_ALIKE = 3  # wild samples at one value
 ROUNDS = 30  # each takes the worst sample of every neighbourhood
 STILL, MOVING = 1.0, 2.0  # range of seven samples, over what a spike departs by at least
 
@@ -31,8 +34,45 @@ def wild_samples(
     found = find_spikes(time, samples, least)
     if channel not in ANGLES:
         return found
+    found |= at_ends(np.where(found, np.nan, samples))
+    found |= at_one_value(samples, found)
     rest = np.where(found, np.nan, samples)
     return found | find_excursions(time, rest, max(least, quantum([samples]) / np.sqrt(12)))
+
+
+def at_ends(angle: Samples) -> NDArray[np.bool_]:
+    """Which of the first and of the last known samples, too few for `find_spikes`, an angle [rad]
+    leaps to, beside the steps that it makes there.
+    """
+    known, found = np.flatnonzero(~np.isnan(angle)), np.zeros(angle.size, dtype=bool)
+    for inwards in (known, known[::-1]):
+        kept = angle[inwards[NEIGHBOURS : NEIGHBOURS + REACH]]
+        steps = np.abs(np.diff(kept))
+        for at in inwards[:NEIGHBOURS][::-1] if steps.size else ():
+            step = abs(angle[at] - kept[0])
+            found[at] = step > max(SMALLEST_LEAP, LEAPS * steps.max())
+            if not found[at]:
+                kept, steps = np.append(angle[at], kept), np.append(step, steps)
+    return found
+
+
+def at_one_value(angle: Samples, found: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Which samples of an angle [rad] are at the value that most of those found are at, as where a
+    logger writes 0 for what it does not hear: also in crowds, where all beside is on one side.
+    """
+    values, counts = np.unique(angle[found], return_counts=True)
+    if counts.max(initial=0) < max(FEWEST_ALIKE, found.sum() / 2):
+        return np.zeros(angle.size, dtype=bool)
+    places, value = np.arange(angle.size), values[counts.argmax()]
+    rest = np.flatnonzero(~(np.isnan(angle) | found | (angle == value)))
+    if not rest.size:
+        return np.zeros(angle.size, dtype=bool)
+    after = np.searchsorted(rest, places).clip(1, rest.size - 1)
+    before, behind = (angle[rest[each]] - value for each in (after - 1, after))
+    beyond = (np.minimum(before, behind) > SMALLEST_LEAP) | (
+        np.maximum(before, behind) < -SMALLEST_LEAP
+    )
+    return beyond & (angle == value)
 
 
 def find_spikes(time: Samples, samples: Samples, least: float = 0.0) -> NDArray[np.bool_]:

@@ -76,15 +76,15 @@ def clean_channel(
     if filtered(recording.segments[0]):
         level = noise_of(times, signals, None).level if declared is None else declared
         return recording, Noise(level, declared=declared)
-    if any(map(coarse, times, signals)):  # neighbours see the motion: neither spike nor tone
-        found = noise_of(times, signals, declared)
-        level = found.level if declared is None else declared
-        return recording, replace(found, level=level)
     spikes = [spikes_of(each, name, declared or 0.0) for each in recording.segments]
     kept = [
         np.where(spike, np.nan, signal) if spike.any() else signal
         for spike, signal in zip(spikes, signals, strict=True)
     ]
+    if any(map(coarse, times, kept)):  # neighbours see the motion: neither spike nor tone
+        found = noise_of(times, signals, declared)
+        level = found.level if declared is None else declared
+        return recording, replace(found, level=level)
     count = int(sum(each.sum() for each in spikes))
     swing = OF_ANGLE if name in ("raw_angle", "angle") else OF_RATE
     driven = any(each.driven for each in recording.segments)
