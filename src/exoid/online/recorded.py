@@ -11,6 +11,7 @@ from exoid.recordings.conventions.thin import of_means
 from exoid.recordings.measured.samples import usual_step
 from exoid.recordings.measured.segment import Segment
 from exoid.recordings.recording import Recording
+from exoid.recordings.signal.both_sensors.clean import clean
 from exoid.recordings.signal.noise import noise_of
 from exoid.recordings.signal.smoothed import OF_ANGLE, OF_RATE
 
@@ -81,15 +82,11 @@ def node_of(recording: Recording) -> Node:
 
 def is_smoothed(recording: Recording) -> bool:
     """Did the angle go through a filter before it came here? Its samples share their errors then,
-    or hardly have any, and a release is blurred: a model that is right looks wrong.
+    or hardly have any, and a release is blurred: a model that is right looks wrong. The samples are
+    those that were measured, as a fit asks them: means of them share and hide errors, too.
     """
-    each = [columns_of(one, 0.0) for one in recording.segments]
-    times, angles = ([one[at] for one in each] for at in (0, 1))
-    driven = any(each.driven for each in recording.segments)
-    declared = recording.sensors.angle_noise
-    noise = noise_of(times, angles, declared, swing=OF_ANGLE, driven=driven)
-    hidden = noise.measured is not None and noise.measured < LEAST[0]
-    return noise.alike_over > 0 or hidden
+    noise = clean(recording).angle
+    return noise.alike_over > 0 or noise.hidden
 
 
 def declared(recording: Recording) -> Node:
