@@ -67,9 +67,7 @@ DRIVEN = (
 
 
 def of_refused(why: str, basis: Basis, slack: Leaning | None) -> list[str]:
-    """That it is not followed, what it shows of itself and of a `slack` spring, and what may be behind
-    it.
-    """
+    """That it is not followed, what it and a `slack` spring show, and what may be behind it."""
     problem, ended = basis.problem, basis.ended
     movements, rig = problem.movements, problem.belief.rig
     seat = turned_away(problem, ended)
