@@ -46,8 +46,8 @@ def likely(found: Found) -> list[Optimum]:
 
 
 def suspects(found: Found, each: list[Optimum], best: Optimum) -> list[Suspect]:
-    """What the likeliest causes would make of the leg's numbers; the one that is named is first. That
-    nothing is missing is none.
+    """What the likeliest causes would make of the leg's numbers; the one that is named is first.
+    That nothing is missing is none.
     """
     each = sorted((one for one in each if names(one)), key=lambda one: one is not best)[:SUSPECTS]
     return [

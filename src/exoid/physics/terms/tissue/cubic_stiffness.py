@@ -12,7 +12,7 @@ class CubicStiffness(PhysicsTerm):
     reference = "Lin & Rymer, IEEE TBME 38(9), 1991; Oatis, Phys Ther 73(11), 1993"
     explanation = (
         "The spring hardens (or softens) with its stretch, so that the period depends on the "
-        "amplitude by more than gravity's share. A spring that spans the axis of a rig from above or "
+        "amplitude by more than gravity's share. A spring that spans a rig's axis from above or "
         "below looks like it: what of its pull goes with the cosine of the angle is in m l g."
     )
     isolate = "drops from several angles, with an encoder checked at a known angle"
