@@ -5,6 +5,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.pendulum.drops import measure_drops
+from hands import Knee
 from swings import HOLD, NOISE, recorded
 
 STEP = 0.01  # s
@@ -55,3 +56,27 @@ def test_a_leg_that_is_let_go_at_rest_was_not_pushed(leg):
 
 def test_noise_that_hides_a_push_leaves_it_unsaid():
     assert "pushed" not in note(26.0, 4.0, 0.8, push=0.3, noise=0.005)
+
+
+def on_a_hand(growth, held=-0.3, hold=0.3):
+    """A drop onto a soft hand that sinks by `growth` t^3 [rad/s^3] under the leg."""
+    knee, time = Knee(), np.arange(0.0, 6.0, 0.01)
+
+    def slope(since, state):
+        angle, speed = state
+        below = held - growth * since**3 - angle
+        hand = 700.0 * below + 14.0 * (-3 * growth * since**2 - speed)
+        return speed, knee.pull(angle, speed) + (max(hand, 0.0) if growth else 0.0)
+
+    since = np.maximum(time - hold, 0.0)
+    ends = {"rtol": 1e-8, "atol": 1e-8, "max_step": 0.01, "dense_output": True}
+    angle = solve_ivp(slope, (0.0, since[-1]), (held, 0.0), **ends).sol(since)[0]
+    noisy = angle + 5e-4 * np.random.default_rng(0).standard_normal(angle.size)
+    return measure_drops(recorded(noisy, time, noise=5e-4)).drops[0]
+
+
+@pytest.mark.parametrize("growth", [0.0, 4.0, 6.0, 8.0])
+def test_a_hand_that_goes_along_with_the_leg_as_it_sinks_ever_faster_is_told(growth):
+    drop = on_a_hand(growth)
+    told = "goes along with it" in (drop.note or "") or drop.landmarks.held is not None
+    assert told == bool(growth)

@@ -9,7 +9,7 @@ from exoid.pendulum.drop import Average, Drop, PendulumTest
 from exoid.pendulum.halt import of_halt, of_rise, of_stop
 from exoid.pendulum.off_body import with_doubted_times
 from exoid.pendulum.off_clock import with_doubted_clock
-from exoid.pendulum.push import of_push
+from exoid.pendulum.push import of_lead, of_push
 from exoid.pendulum.smoothing import as_smoothed
 from exoid.recordings.conventions.jumps import AGAIN, jumps_of, told_jumps
 from exoid.recordings.conventions.lowered import WHY, lowered
@@ -101,8 +101,9 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         read, clock = with_doubted_clock(read, cleaned.recording)
         read, times = with_doubted_times(read, cleaned.recording, number)
         push = of_push(found, drifting.measures) if handled else of_rise(track, found)
+        lead = of_lead(found) if handled else None
         wild = of_wild_samples(recording.segments[number], segment)
-        notes = stop, drifting.note, smoothed, clock, times, push, wild
+        notes = stop, drifting.note, smoothed, clock, times, lead, push, wild
         note = "; ".join(filter(None, notes)) or None
         if halt is None:
             check_motion(read)

@@ -57,13 +57,14 @@ def balance(segment: Segment) -> Balance | None:
     # Windows overlap: only one in WINDOW / STRIDE tells something new.
     free = max(rows.shape[0] * STRIDE / WINDOW - right.shape[1], 1.0)
     scatter = float(missed @ missed) / rows.shape[0] * (rows.shape[0] * STRIDE / WINDOW) / free
-    covariance = (scatter * WINDOW / STRIDE * np.linalg.inv(right.T @ right))[:2, :2]
+    # The pseudo-inverse: its square is no less than 0, however alike the columns are.
+    each = np.sqrt(scatter * WINDOW / STRIDE) * np.linalg.pinv(right)[:2]
     turn, along = np.array([-b, a]) / pull**2, np.array([a, b]) / pull
     return Balance(
         angle=float(np.arctan2(-a, b)),
-        angle_error=float(np.sqrt(turn @ covariance @ turn)),
+        angle_error=float(np.linalg.norm(turn @ each)),
         pull=pull,
-        pull_error=float(np.sqrt(along @ covariance @ along)),
+        pull_error=float(np.linalg.norm(along @ each)),
         explained=1 - float(missed @ missed) / float(left @ left),
     )
 
