@@ -100,12 +100,19 @@ def minimise(
         lambda leaf: jnp.zeros(leaf.shape, leaf.dtype), jax.eval_shape(residual, start)[1]
     )
     before = Outcome(start, detail, nothing, jnp.array(jnp.inf), jnp.array(0), jnp.array(False))
+    carry = before, penalty, jnp.full_like(penalty, jnp.inf), jnp.array(0), jnp.array(True)
     outcome, *_ = jax.lax.while_loop(
-        lambda carry: (carry[3] < rounds) & carry[4],
-        update,
-        (before, penalty, jnp.full_like(penalty, jnp.inf), 0, jnp.array(True)),
+        lambda carry: (carry[3] < rounds) & carry[4], update, of_each(start, carry)
     )
     return outcome
+
+
+def of_each(start: Vector, carry: PyTree) -> PyTree:
+    """The same, as if it hung on the start: where many start at once, JAX traces a loop again and
+    again until it knows all that its steps make different for each.
+    """
+    own = jnp.isnan(start[0])
+    return jax.tree.map(lambda leaf: jnp.where(own, leaf, leaf), carry)
 
 
 def with_dense_derivative(function):
