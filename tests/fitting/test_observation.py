@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from exoid.fitting.data import observe as observing
 from exoid.fitting.data.observe import LONGEST_STEP, bucket, observe
 from exoid.fitting.data.segment import movement
 from exoid.fitting.model.systematics import SOMEWHERE
@@ -84,7 +85,8 @@ def test_a_gap_is_bridged_by_samples_that_weigh_nothing():
     assert np.array_equal(seen.angle[0][rows], each.angle)
 
 
-def test_rows_beyond_the_end_continue_the_clock_and_weigh_nothing():
+def test_rows_beyond_the_end_continue_the_clock_and_weigh_nothing(monkeypatch):
+    monkeypatch.setattr(observing, "bucket", bucket)
     each, seen = one_row(one(dropped()))
     size = each.segment.time.size
     assert seen.time.shape[1] == bucket(size) > size
@@ -140,7 +142,8 @@ def test_a_filtered_channel_is_fitted_only_where_no_raw_one_is():
     assert np.array_equal(each.angle, each.segment.angle)
 
 
-def test_segments_of_different_length_share_one_shape():
+def test_segments_of_different_length_share_one_shape(monkeypatch):
+    monkeypatch.setattr(observing, "bucket", bucket)
     long, short = (movement(one(dropped(TIME[:n])), 0, "drop") for n in (120, 70))
     seen = observe([long, short], "1/T")
     assert seen.angle.shape == (2, bucket(long.segment.time.size))

@@ -63,6 +63,7 @@ class Asked(Exception):
 def test_a_start_is_not_repeated_to_fill_a_batch_of_a_long_recording(monkeypatch, long, lanes):
     """Lanes take as long as they are many; a program of its own takes seconds, once."""
     problem, ended = arrived(LEG, loss=[1.0])
+    monkeypatch.setattr(ask, "BATCH", 16)
     monkeypatch.setattr(ask, "LONG", long)
     monkeypatch.setattr(ask, "run", refusing)
     with pytest.raises(Asked, match=f"^{lanes}$"):
