@@ -19,7 +19,7 @@ from exoid.watching.beside.goals import goal_of
 from exoid.watching.beside.movement import Movement
 from exoid.watching.beside.next_movement import Advice
 from exoid.watching.beside.refinement import Refined
-from exoid.watching.board import Board
+from exoid.watching.board import Board, Ended
 from exoid.watching.estimate.gyro_off import GyroOff
 from exoid.watching.estimate.left_out import STRAYED, LeftOut
 from exoid.watching.estimate.load import Mass
@@ -216,3 +216,20 @@ def test_without_marks_nobody_can_say_when_a_weight_was_on(weighed):
     session.keys["w"]()
     assert session.loaded().added_mass is None
     assert screen.said[-1].endswith(UNMARKED)
+
+
+@pytest.mark.parametrize(("strayed", "counted"), [(1, 2), (2, 1), (3, 0)])
+def test_how_many_movements_strayed_is_counted_and_what_the_others_told_stays_said(
+    strayed, counted
+):
+    board = board_of(Trust.UNEXPLAINED)
+    falls = [LeftOut(9.0 + at, 8.0 + at, STRAYED, falling=True) for at in range(strayed)]
+    drops = [
+        Ended(0.0, replace(board_of(Trust.GOOD).moment, drops=1 + at, begun=float(at)), 7.0)
+        for at in range(counted)
+    ]
+    board.movements = (*drops, *falls)
+    said = words.next_movement(board)
+    whole = f"{strayed} of {strayed + counted} movements" if counted else "every movement"
+    assert said.startswith(f"{whole} strayed in the first fall")
+    assert ("gravity over inertia 27.300 ± 0.050 1/s^2" in said) == bool(counted)

@@ -29,10 +29,11 @@ DIAGNOSE = (
     "exoid live --with TERM"
 )
 BY_HAND = (
-    "every movement strayed in its first fall, as where a hand lets go slowly or a muscle leads "
-    "the leg, be it through cycles: let go of it at once, and have it relaxed. exoid fit of a "
-    "recording (-o) leaves such a fall out; exoid diagnose tells any other cause"
+    "{} strayed in the first fall, as where a hand lets go slowly or a muscle leads the leg, be it "
+    "through cycles: let go of it at once, and have it relaxed. exoid fit of a recording (-o) "
+    "leaves such a fall out; exoid diagnose tells any other cause"
 )
+COUNTED = "; {} told {}"  # drops, and their numbers
 BY_GYRO = (
     "gyro and encoder do not show one movement: the gyro shows {}. Check gain and filter of the "
     "gyro, and gain and times of the encoder; exoid fit of a recording (-o) tells what still holds"
@@ -136,12 +137,25 @@ def enough(board: "Board") -> bool:
 def next_movement(board: "Board") -> str:
     """What to do, while there is something left to do."""
     if unexplained(board):
-        by_hand = BY_HAND if board.falls_astray else DIAGNOSE
-        return by_hand if board.gyro is None else by_gyro(board.gyro)
+        if board.gyro is not None:
+            return by_gyro(board.gyro)
+        return by_hand(board) if board.falls_astray else DIAGNOSE
     found = standing(board)
     if found is None or enough(board) or trust(board) == AS_FAR:
         return ""
     return found.words
+
+
+def by_hand(board: "Board") -> str:
+    """How many movements strayed, and what the drops that count had told before."""
+    strayed, drops = len(board.left_out), board.ended
+    if not drops:
+        return BY_HAND.format("every movement")
+    told = drops[-1].moment.quantities.values()
+    counted = "the drop that counts" if len(drops) == 1 else f"the {len(drops)} drops that count"
+    numbers = ", ".join(f"{title(each.name)} {stated(each)}" for each in told)
+    said = BY_HAND.format(f"{strayed} of {strayed + len(drops)} movements")
+    return said + (COUNTED.format(counted, numbers) if numbers else "")
 
 
 def by_gyro(off: "GyroOff") -> str:
