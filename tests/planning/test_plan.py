@@ -17,7 +17,7 @@ from exoid.planning.candidate_recordings import moving
 from exoid.planning.expected_information import Design, informations
 from exoid.planning.next_mountings import beliefs, next_of
 from exoid.planning.plan import plan
-from exoid.planning.planned import Candidate
+from exoid.planning.planned import AtHand, Candidate
 from exoid.planning.prior_knowledge import eliminated, from_result
 from exoid.recordings.declared.subject import Subject
 from exoid.report.tables.plan import as_good, in_one_row, print_plan
@@ -26,6 +26,7 @@ from exoid.twin.protocols import record
 from fit_cases import BODY, DROP, LOADED, leg, recorded
 
 KEPT = 0.25  # relative, within which a promise counts as kept
+SWING = "gravity_over_inertia"
 LONG = Movement(np.radians(-12), 5.0)
 
 
@@ -159,11 +160,56 @@ def test_what_was_off_once_is_off_again(bare):
     told = informations(known, moving([drop], known))
     elsewhere = [replace(each, session="y") for each in next_of(apart, [drop], [drop.seat])]
     goal = "gravity_over_inertia"
-    together = Design(known, goal, told).error([drop])
+    together = Design(known, goal, told, AtHand(1.0)).error([drop])
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("exoid.planning.next_mountings.next_of", lambda *_: elsewhere)
-        anew = Design(apart, goal, told).error([drop])
+        anew = Design(apart, goal, told, AtHand(1.0)).error([drop])
     assert anew < 0.9 * together
+
+
+def test_a_plan_begins_with_the_error_that_the_fit_states_and_promises_no_less_than_stays(bare):
+    """What a tilted seat may do to a ratio is in the fit's ±, and no drop on that seat tells it."""
+    _, result = bare
+    own, tilt = result.ratios[SWING], 2.0  # 1/s^2
+    wide = replace(result, ratios=result.ratios | {SWING: own.widened(tilt, cause="tilt")})
+    found = plan(wide, BODY, SWING)
+    assert found.before == pytest.approx(wide.ratios[SWING].standard_error, rel=1e-9)
+    assert found.stays == pytest.approx(tilt, rel=0.01)
+    assert min(each.error for each in found.options) >= found.stays
+    said = " ".join(found.sentences)
+    assert "nothing more is needed" not in said
+    assert "± 2 1/s^2 of its error is what no motion of this leg tells" in said
+    assert "the seat's tilt" in said
+
+
+def test_what_a_slack_spring_leaves_open_is_never_enough(bare):
+    _, result = bare
+    sure = replace(result.ratios[SWING], standard_error=0.01, if_slack=3.0)
+    found = plan(replace(result, ratios=result.ratios | {SWING: sure}), BODY, SWING)
+    assert found.if_slack == 3.0
+    assert not any("nothing more is needed" in each for each in found.sentences)
+    console = Console(width=80, file=StringIO())
+    print_plan(found, console)
+    assert "(± 3 more if slack)" in console.file.getvalue()
+
+
+def test_a_number_that_the_fit_does_not_give_is_none_of_its_plan(bare):
+    _, result = bare
+    none = replace(result.parameters["inertia"], value=None, standard_error=None, reason="so")
+    found = plan(replace(result, parameters=result.parameters | {"inertia": none}), BODY)
+    assert found.before == np.inf
+    assert found.after < np.inf
+    assert "nothing tells J yet: so." in found.sentences
+
+
+def test_nothing_is_planned_after_a_fit_that_does_not_follow(bare):
+    lost = replace(bare[1], astray="it is elsewhere", notes=["It does not follow."])
+    found = plan(lost, BODY)
+    assert (found.proposed, found.options, found.before) == ([], [], np.inf)
+    assert found.sentences == ["It does not follow."]
+    console = Console(width=80, file=StringIO())
+    print_plan(found, console)
+    assert "J is not determined" in console.file.getvalue()
 
 
 @pytest.mark.proof

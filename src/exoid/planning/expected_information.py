@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from itertools import combinations_with_replacement
+from math import hypot
 
 import numpy as np
 
@@ -17,14 +18,13 @@ from exoid.fitting.data.movement import Movement
 from exoid.fitting.misfit.gram import CAUSES, Cause
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.neighbourhood import columns
-from exoid.fitting.misfit.uncertainty import Information
 from exoid.fitting.model.coordinates import Coordinates, SegmentUnknowns, Shared, quantities
 from exoid.fitting.multistart.beginning.starts import first_state, usual_mounting
 from exoid.fitting.solve.ask import grams_in, sensed
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
-from exoid.planning.next_mountings import with_recordings
-from exoid.planning.planned import Candidate
+from exoid.planning.next_mountings import information_error, with_recordings
+from exoid.planning.planned import AtHand, Candidate
 from exoid.planning.prior_knowledge import PriorKnowledge, eliminated
 
 MOST = 4  # segments of a proposed recording
@@ -95,17 +95,18 @@ class Design:
     known: PriorKnowledge
     goal: str
     told: dict[Candidate, np.ndarray]  # by every candidate
+    now: AtHand
 
     @cached_property
     def value(self) -> float:
         return float(quantities(self.known.point, np)[self.known.quantities.index(self.goal)])
 
     def error(self, chosen: Sequence[Candidate]) -> float:
-        """The standard error of the goal with these candidates."""
+        """The standard error of the goal with these candidates, with what stays of it."""
+        if not chosen:
+            return self.now.error
         total = with_recordings(self.known.prior, self.known, self.told, chosen)
-        gradient = self.known.gradients[self.known.quantities.index(self.goal)]
-        information = Information(total, np.zeros_like(total), self.known.fixed)
-        return information.standard_error(gradient)
+        return hypot(information_error(total, self.known, self.goal), self.now.stays)
 
     def greedy(self) -> list[Candidate]:
         """Segment after segment, the simplest of the best, while each is worth its time.

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
+from exoid.fitting.misfit.uncertainty import Information
 from exoid.fitting.model.coordinates import TYPICAL
 from exoid.fitting.model.systematics import SOMEWHERE, Systematics, in_common
 from exoid.planning.planned import Candidate
@@ -66,6 +67,12 @@ def with_recordings(
     rows = beliefs(known, told, chosen, seats)
     total[size:, size:] += rows.T @ rows
     return eliminated(total, size)
+
+
+def information_error(total: np.ndarray, known: PriorKnowledge, goal: str) -> float:
+    """The standard error of a goal by this information on the leg; inf where nothing tells it."""
+    gradient = known.gradients[known.quantities.index(goal)]
+    return Information(total, np.zeros_like(total), known.fixed).standard_error(gradient)
 
 
 def add(total: np.ndarray, places: list[int], part: np.ndarray) -> None:

@@ -32,6 +32,15 @@ class Candidate:
 
 
 @dataclass(frozen=True)
+class AtHand:
+    """What is known of a goal so far: standard errors, in its unit."""
+
+    error: float  # inf where it has no number
+    stays: float = 0.0  # of that, what the information of a further recording does not narrow
+    if_slack: float | None = None  # more, for a spring slack elsewhere than at full extension
+
+
+@dataclass(frozen=True)
 class Option:
     """One segment that could be added, and the error of the goal that it would leave."""
 
@@ -53,11 +62,13 @@ class Plan:
     symbol: str
     unit: str
     value: float
-    before: float  # standard error; inf where nothing tells
+    before: float  # standard error, as the fit has it; inf where nothing tells
     after: float  # with all the proposed segments in one new recording
     proposed: list[Candidate]  # empty where none would help
     options: list[Option]  # one segment each, best first
     sentences: list[str]
+    stays: float = 0.0  # of `before` and `after`, what no further recording narrows
+    if_slack: float | None = None  # error more, for a spring slack elsewhere than at full extension
 
 
 @dataclass(frozen=True)

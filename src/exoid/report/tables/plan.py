@@ -118,7 +118,8 @@ def stated(plan: Plan, error: float) -> str:
     """The value with an error, as far as there is one."""
     if not np.isfinite(error):
         return f"{plan.symbol} is not determined"
-    return with_unit(f"{plan.symbol} = {with_error(plan.value, error)}", plan.unit)
+    slack = "" if plan.if_slack is None else f" (± {plan.if_slack:.2g} more if slack)"
+    return with_unit(f"{plan.symbol} = {with_error(plan.value, error)}", plan.unit) + slack
 
 
 def plan_document(
@@ -130,7 +131,12 @@ def plan_document(
             "subject": identity(subject or Subject()),
             "follows_recording": None if result is None else result.follows,
             "astray": None if result is None else result.astray,
-            **shown(plan, before="standard_error_before", after="standard_error_after"),
+            **shown(
+                plan,
+                before="standard_error_before",
+                after="standard_error_after",
+                stays="standard_error_that_stays",
+            ),
             "proposed": [segment_document(each) for each in plan.proposed],
             "options": [
                 {**segment_document(each.candidate), "standard_error": each.error}
