@@ -40,12 +40,31 @@ class Sail(exoid.PhysicsTerm):
 def test_the_command_that_tells_suspects_apart_reads_the_recording_alike():
     each = [Suspect([name], []) for name in ("backlash", "sail", "saturating_damping")]
     options = again(flip="all", column=["time_s=My Time"], terms="mine.py", body_mass=72.0)
-    said = telling_apart(SimpleNamespace(suspected=each), [Path("my drops.csv")], options)
+    said = telling_apart(SimpleNamespace(suspected=each), [Path("my drops.csv")], LEGS, options)
     assert said[0] == (
         "Which recording tells them apart: exoid plan 'my drops.csv' --between backlash,sail "
         "--flip all --column 'time_s=My Time' --terms mine.py --body-mass 72.0"
     )
-    assert telling_apart(SimpleNamespace(suspected=each[:1]), [Path("a.csv")], "") == []
+    assert telling_apart(SimpleNamespace(suspected=each[:1]), [Path("a.csv")], LEGS, "") == []
+
+
+def test_no_command_is_printed_that_is_refused_of_a_motor():
+    each = SimpleNamespace(suspected=[Suspect(["backlash"], []), Suspect(["sail"], [])])
+    motor = recording_of("rig", "measured")
+    assert telling_apart(each, [Path("a.csv")], [("a.csv", motor)], "") == []
+    left_alone = recording_of("rig", "passive")
+    assert telling_apart(each, [Path("a.csv")], [("a.csv", left_alone)], "") != []
+
+
+def recording_of(subject: str, kind: str) -> Recording:
+    """A movement of a second, of a leg or a rig."""
+    time = np.linspace(0.0, 1.0, 101)
+    torque = np.zeros_like(time) if kind == "measured" else None
+    segment = Segment(time, raw_angle=np.sin(time) - 1.0, applied_torque=torque)
+    return Recording((segment,), Subject(kind=subject), Protocol(kind=kind), Sensors())
+
+
+LEGS = [("a.csv", recording_of("leg", "passive"))]
 
 
 def rubbing(angle: float, seed: int) -> Segment:

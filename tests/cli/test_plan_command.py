@@ -13,6 +13,7 @@ from sessions import DROP, LEG, SUBJECT, session
 from exoid.cli.commands import plan
 from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.splitting.split import split
 from exoid.twin.motion import Movement
@@ -107,6 +108,13 @@ def test_what_a_diagnosis_suspects_is_told_apart_by_default(monkeypatch):
     # A goal is asked of the model that was saved.
     monkeypatch.setattr(plan, "saved_model", lambda model, own: Mock(terms=()))
     assert plan.asked(None, plan.INERTIA, None, (), Path("why.nc")) == ((), ())
+
+
+def test_a_rig_is_refused_before_anything_is_computed(command, tmp_path, monkeypatch):
+    recording = split(session(DROP))
+    write_table(replace(recording, subject=Subject(kind="rig")), tmp_path / "rig.csv")
+    monkeypatch.setattr(plan, "compute", Mock(side_effect=AssertionError("it computes")))
+    assert "can be taken apart and weighed" in refusal(command("plan", tmp_path / "rig.csv"))
 
 
 def test_a_missing_recording_is_named(command, tmp_path):

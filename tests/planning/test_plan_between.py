@@ -12,10 +12,10 @@ from exoid.physics.leg import LegModel
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
 from exoid.physics.torque import NoTorque
-from exoid.planning.candidate_recordings import drops_of_rig
+from exoid.planning.candidate_recordings import drops_of_rig, imagine
 from exoid.planning.expected_odds import DECISIVE, RivalFit, probability, steps_to_limits
 from exoid.planning.next_mountings import deviations_of_next
-from exoid.planning.plan_between import plan_between
+from exoid.planning.plan_between import check_let_go, plan_between
 from exoid.planning.planned import Candidate
 from exoid.planning.prior_knowledge import from_anatomy
 from exoid.recordings.declared.subject import Subject
@@ -108,6 +108,20 @@ def test_a_rig_that_has_no_limits_may_be_anything():
     lower, upper = steps_to_limits(from_anatomy(Subject(kind="rig")))
     assert (lower < 0).all()
     assert (upper > 0).all()
+
+
+def test_a_rig_turns_where_no_knee_does():
+    option = Candidate("let go at -250 deg", Movement(np.radians(-250), 2.0))
+    made = imagine([option], 0.0, from_anatomy(Subject(kind="rig")))
+    assert made.segments[0].raw_angle.min() < np.radians(-240)
+
+
+def test_of_a_rig_that_a_motor_drives_no_drop_is_planned():
+    rig = Subject(kind="rig")
+    with pytest.raises(ValueError, match="coulomb_friction shows in constant speeds"):
+        check_let_go(rig, ["measured", "measured"], RIVALS)
+    check_let_go(rig, ["measured", "passive"], RIVALS)
+    check_let_go(BODY, ["measured"], RIVALS)  # a leg can be let go
 
 
 def test_a_rig_is_let_go_where_it_has_been():

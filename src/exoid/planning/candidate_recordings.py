@@ -13,6 +13,7 @@ from exoid.physics.leg import LegModel
 from exoid.physics.torque import NoTorque
 from exoid.planning.planned import Candidate
 from exoid.planning.prior_knowledge import PriorKnowledge
+from exoid.recordings.declared.subject import Subject
 from exoid.recordings.recording import Recording
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
@@ -102,10 +103,11 @@ def moving(options: list[Candidate], known: PriorKnowledge) -> dict[Candidate, O
 def imagine(options: list[Candidate], tilt: float, known: PriorKnowledge) -> Recording:
     """The recording of these candidates on a seat, by sensors of the noise that is known."""
     model = LegModel(known.leg, NoTorque(), np.asarray(tilt), known.model_terms)
-    made = record(model, [option.motion for option in options], jax.random.key(0), exact=True)
+    motions = [option.motion for option in options]
+    whose = Subject(kind="rig" if known.belief.rig else "leg")  # a rig may turn where no knee does
+    made = record(model, motions, jax.random.key(0), subject=whose, exact=True)
     segments = tuple(
         segment if known.gyro else replace(segment, raw_angular_velocity=None)
         for segment in made.segments
     )
-    subject = replace(made.subject, kind="leg")
-    return replace(made, segments=segments, subject=subject, sensors=known.sensors)
+    return replace(made, segments=segments, sensors=known.sensors)

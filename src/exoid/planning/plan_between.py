@@ -1,6 +1,6 @@
 """What to record next to tell rival causes apart: where no rival can follow what another makes."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,7 +31,8 @@ def plan_between(fits: Sequence[FitResult], subject: Subject) -> Contrast:
     terms=(CoulombFriction,))` gives them. Whichever of them is right, the others are expected to
     be refuted; of several pairs the one that is hardest to tell apart decides.
 
-    **Raises** `ValueError` where there are no two rivals, or not of the same recordings.
+    **Raises** `ValueError` where there are no two rivals, or not of the same recordings, or of a
+    rig that a motor drove all the time.
 
     >>> from exoid.physics.terms.device.coulomb_friction import CoulombFriction
     >>> from exoid.physics.terms.tissue.cubic_stiffness import CubicStiffness
@@ -42,6 +43,7 @@ def plan_between(fits: Sequence[FitResult], subject: Subject) -> Contrast:
     True
     """
     check_rivals(fits)
+    check_let_go(subject, [seg.kind for seg in fits[0].segments], terms_of(fits))
     known = [from_result(each) for each in fits]
     names = [rival_name(each.terms) for each in known]
     noise = min(each.noise_scale for each in fits)
@@ -74,6 +76,27 @@ def check_rivals(fits: Sequence[FitResult]) -> None:
         raise ValueError("rivals are two or more models, each of them given once.")
     if len({each.samples for each in fits}) > 1:
         raise ValueError("the rivals were fitted to different samples: fit the same recordings.")
+
+
+def terms_of(fits: Sequence[FitResult]) -> list[type[Term]]:
+    """Of all rivals, each once."""
+    return list(dict.fromkeys(type(term) for each in fits for term in each.fitted_terms))
+
+
+def check_let_go(
+    subject: Subject, kinds: Iterable[str | None], terms: Iterable[type[Term]]
+) -> None:
+    """Refuse a rig all of whose movements a motor made, of which no drop can be planned.
+
+    **Raises** `ValueError` with what tells each of the `terms`.
+    """
+    if subject.kind != "rig" or {*kinds} != {"measured"}:
+        return
+    shown = (f"{name_of(each)} shows in {each.isolate_driven or each.isolate}" for each in terms)
+    raise ValueError(
+        "what is planned are drops, and a motor drives this rig in every segment. "
+        f"Of its movements: {'; '.join(shown)}."
+    )
 
 
 def options_of(fits: Sequence[FitResult], subject: Subject) -> list[Candidate]:

@@ -11,7 +11,7 @@ from exoid.cli.inputs.again import again
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
 from exoid.cli.inputs.choices import FlipOption, Seed, ZeroOption
-from exoid.cli.inputs.reading import EXAMPLE, Columns, Dbc, Signals, as_told, take_all
+from exoid.cli.inputs.reading import EXAMPLE, Columns, Dbc, Signals, as_told, kinds_in, take_all
 from exoid.cli.inputs.terms import OwnTerms, own_terms, rivals_in
 from exoid.cli.outputs.destination import (
     FIGURES,
@@ -91,7 +91,7 @@ def diagnose(
     show(lambda console: print_diagnosis(found, console))
     limits = None if bounds == "body" else bounds
     by_hand = {"prior": prior, "bounds": limits, "fix": fix, "bound": bound}
-    say(*telling_apart(found, paths, again(**told, **body, **by_hand, terms=terms)))
+    say(*telling_apart(found, paths, named, again(**told, **body, **by_hand, terms=terms)))
     outputs, files = Outputs(), list(zip(paths, named, strict=True))
     settings = {**options, "terms": terms}
     outputs.put(plot, lambda path: draw(found, path), "drawing")
@@ -119,10 +119,12 @@ def diagnose(
     outputs.end(found.follows)
 
 
-def telling_apart(found, paths: list[Path], more: str) -> list[str]:
-    """The command that says which recording tells the suspects apart; nothing of a single one."""
-    rivals = rivals_in(found)
-    if len(rivals) < 2:
+def telling_apart(found, paths: list[Path], named, more: str) -> list[str]:
+    """The command that says which recording tells the suspects apart; nothing of a single one, or
+    of a rig that a motor drives, of which no drop is planned.
+    """
+    rivals, driven = rivals_in(found), set(kinds_in(named)) == {"measured"}
+    if len(rivals) < 2 or (driven and named[0][1].subject.kind == "rig"):
         return []
     recorded, names = " ".join(quote(str(path)) for path in paths), ",".join(rivals)
     return [f"Which recording tells them apart: exoid plan {recorded} --between {names}{more}", ""]

@@ -11,7 +11,7 @@ from exoid.cli.inputs.again import again
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
 from exoid.cli.inputs.choices import FlipOption, Seed, ZeroOption
-from exoid.cli.inputs.reading import Columns, Dbc, Signals, take_all
+from exoid.cli.inputs.reading import Columns, Dbc, Signals, kinds_in, take_all
 from exoid.cli.inputs.terms import (
     Between,
     Model,
@@ -26,7 +26,6 @@ from exoid.cli.inputs.terms import (
 from exoid.cli.outputs.destination import Force, Json, check_outputs
 from exoid.cli.outputs.results import introduce, show
 from exoid.cli.outputs.written import Outputs
-from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
 
 INERTIA = "inertia"
@@ -106,6 +105,7 @@ def plan(
     named, _ = take_all(recordings or [], body, **told)
     subject = named[0][1].subject if named else replace(Subject(kind="leg"), **body)
     options = {"multistart": multistart, "seed": seed, **assumed(prior, bounds, fix, bound)}
+    check_planned(named, subject, rivals)
     if rivals:
         tell_apart(named, subject, rivals, options, json)
         return
@@ -116,8 +116,6 @@ def plan(
         "planning; the first run of a new shape compiles for some seconds",
     )
     introduce(named)
-    if result is not None and not result.follows:
-        say(result.notes[0], "")
     from exoid.report.tables.plan import plan_document, print_plan
 
     same = again(terms=terms, **{"with": with_term}, model=model)
@@ -146,6 +144,18 @@ def asked(
     chosen = terms_asked(given, own, saved_model(model, own).terms if model else ())
     check_goal(goal or INERTIA, chosen)
     return (), chosen
+
+
+def check_planned(named, subject, rivals: tuple) -> None:
+    """Refuse a rig of which nothing can be planned, before anything is computed."""
+    from exoid.planning.plan import check_subject
+    from exoid.planning.plan_between import check_let_go
+
+    if not rivals:
+        check_subject(subject)
+        return
+    each = [term if isinstance(term, type) else type(term) for term in sum(rivals, ())]
+    check_let_go(subject, kinds_in(named), dict.fromkeys(each))
 
 
 def by_name(goal: str) -> str:

@@ -55,6 +55,11 @@ def take_all(paths: list[Path], body: dict, protocol: dict | None = None, **opti
     return named, taken
 
 
+def kinds_in(named) -> list[str | None]:
+    """Of what kind every segment of the recordings is said to be."""
+    return [each.kind(number) for _, each in named for number in range(len(each.segments))]
+
+
 def take(path: Path, **options):
     """A recording, with what its reader noticed, which is said on stderr; options as of `read`."""
     loaded = read(path, **options)

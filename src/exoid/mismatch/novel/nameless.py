@@ -27,6 +27,7 @@ class DampingByAngle(PhysicsTerm):
     reference = "assumed: the first power of the angle"
     explanation = "The leg is damped more at one end of its range than at the other."
     isolate = "small swings about several angles, by added masses or another tilt of the thigh"
+    isolate_driven = "slow and fast movements about several angles"
 
     by_angle: Parameter = parameter("k", "N m s/rad^2", -2.0, 2.0, "damping per angle", (0.0,))
 
@@ -41,6 +42,7 @@ class DampingFromTheMiddle(PhysicsTerm):
     reference = "assumed: the second power of the angle"
     explanation = "The leg is damped otherwise about where it hangs than at the ends of its swings."
     isolate = DampingByAngle.isolate
+    isolate_driven = DampingByAngle.isolate_driven
 
     outward: Parameter = parameter("k", "N m s/rad^3", -5.0, 5.0, "damping outwards", (0.0,))
     middle: Parameter = parameter("phi_m", "rad", -4.0, 4.0, "where it changes least", halfway)
@@ -56,6 +58,7 @@ class DampingByDirection(PhysicsTerm):
     reference = "assumed: two coefficients, one for each direction"
     explanation = "Flexion is damped more, or less, than extension."
     isolate = "drops with surface electrodes on the muscles, which tell of one that is at work"
+    isolate_driven = "constant speeds, slow and fast, both ways"
 
     by_direction: Parameter = parameter("k", "N m s/rad", -1.0, 1.0, "half the difference", (0.0,))
 
@@ -70,6 +73,7 @@ class SaturatingDamping(PhysicsTerm):
     reference = "assumed: a power of the rate below the first"
     explanation = "Slow movement is damped more than in proportion; nothing holds the leg."
     isolate = "swings until the leg rests, with little noise: dry friction ends them short of rest"
+    isolate_driven = "constant speeds, down to the slowest"
 
     saturating: Parameter = parameter("k", "N m", 0.0, 5.0, "torque at 1 rad/s", (0.0,))
 
@@ -85,6 +89,7 @@ class FadingDamping(PhysicsTerm):
     reference = "thixotropy: Lakie, Walsh & Wright, J Physiol 353, 1984"
     explanation = "A leg that was held still is damped more at first, or ever more as it swings."
     isolate = "drops straight after some swings by hand, and after a minute's rest"
+    isolate_driven = "the same movement straight after another, and after a minute's rest"
 
     fading_damping: Parameter = parameter("k", "N m s/rad", -50.0, 50.0, "at the begin", (0.0,))
     fading_time: Parameter = parameter("T", "s", *LATE, "time constant", (1.0,))
@@ -101,6 +106,7 @@ class FadingFriction(PhysicsTerm):
     reference = FadingDamping.reference
     explanation = "Muscles that were held still resist at first, however slowly they are moved."
     isolate = FadingDamping.isolate
+    isolate_driven = FadingDamping.isolate_driven
 
     fading_friction: Parameter = parameter("k", "N m", -10.0, 10.0, "at the begin", (0.0,))
     fading_slowly: Parameter = parameter("T", "s", *LATE, "time constant", (1.0,))
@@ -118,6 +124,7 @@ class FadingTorque(PhysicsTerm):
     reference = "assumed: a muscle that lets go as a first-order system does"
     explanation = "A muscle lets go only after the leg was released."
     isolate = "drops that are announced and drops that are not"
+    isolate_driven = "the motor holding still, straight after it was switched on and later"
 
     fading_torque: Parameter = parameter("k", "N m", -100.0, 100.0, "at the begin", (0.0,))
     fading_while: Parameter = parameter("T", "s", *LATE, "time constant", (1.0,))

@@ -76,6 +76,11 @@ def hidden(own: Estimate) -> bool:
     return own.value is None and own.reason not in NOTHING_TELLS
 
 
+def reason_of(each: Estimate, rig: bool) -> Estimate:
+    """With the reason why a rig's scale is untold, which no body has."""
+    return replace(each, reason=SCALE_FREE_RIG) if rig and each.reason == SCALE_FREE else each
+
+
 def with_reasons(parameters: dict[str, Estimate], rig: bool) -> dict[str, Estimate]:
     """Say of every missing value why it is missing."""
     scale_known = parameters["inertia"].value is not None

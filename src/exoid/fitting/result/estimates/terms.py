@@ -8,7 +8,7 @@ from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.estimates.found import mean_of
 from exoid.fitting.result.estimates.moved import Moved
 from exoid.fitting.result.estimates.parameters import expectation, within
-from exoid.fitting.result.estimates.scale import SCALE_FREE, UNTOLD, goes_with_scale
+from exoid.fitting.result.estimates.scale import SCALE_FREE, UNTOLD, goes_with_scale, reason_of
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.term import name_of
 
@@ -35,7 +35,11 @@ def estimate_terms(
                 own[name] = goes_with_scale(own[name], ratio, inertia)
                 own[ratio_name(name, declared)] = by_law(ratio, declared)
             own[name] = by_law(own[name], declared)
-    return found
+    rig = basis.problem.belief.rig
+    return {
+        term: {name: reason_of(each, rig) for name, each in own.items()}
+        for term, own in found.items()
+    }
 
 
 def by_law(each: Estimate, declared: Declaration) -> Estimate:
