@@ -7,7 +7,6 @@ import typing_extensions
 from .fitting.apart.fit_each import fit_each
 from .fitting.errors.posterior import Posterior, sample
 from .fitting.errors.profile import Profile, profiles
-from .fitting.estimate import fit
 from .fitting.result.fit_result import FitResult
 from .fitting.solve.program_cache import keep_programs_in
 from .interchange.export import export
@@ -41,6 +40,7 @@ from .report.plots.fit import plot_fit
 from .report.saved.saved_result import SavedResult, load_result, save_result
 from .trust.identifiability import Identifiability
 from .trust.identify import identify
+from .trust.told import fit
 
 __all__ = [
     "Contrast",

@@ -6,6 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 
+import exoid
 from exoid.fitting.data.segment import movement
 from exoid.fitting.estimate import fit
 from exoid.fitting.model.prior_and_limits import believe
@@ -22,6 +23,8 @@ from exoid.recordings.declared.protocol import Protocol
 from exoid.recordings.declared.sensors import Sensors
 from exoid.recordings.declared.subject import Subject
 from exoid.recordings.measured.segment import Segment
+from exoid.trust.told import fit as public
+from exoid.trust.told import told
 from fit_cases import BODY, DROP, recorded
 from legs import balance_of, drop, recording
 
@@ -218,6 +221,26 @@ def test_a_seat_is_named_where_gravity_comes_from_elsewhere_alone():
     assert "a seat or posture" in of_causes({"passive"}, rig=False, seat=True)
     assert "a seat or posture" not in of_causes({"passive"}, rig=False)
     assert "a seat or posture" not in of_causes({"passive"}, rig=True, seat=True)
+
+
+def test_a_program_is_given_no_number_of_a_refused_model():
+    """`exoid.fit` gave d / J as 0.70 ± 0.20 of an arm whose 0.32 no reader could then know."""
+    kept = fit(recorded(DROP), multistart=2, fix={"damping": 0.2})
+    lost = told(lambda: replace(kept, astray="it misses the angle"))()
+    each = lost.ratios["gravity_over_inertia"]
+    assert (each.value, each.standard_error, each.reason) == (None, None, REFUSED)
+    assert told(lambda: kept)() is kept
+    assert exoid.fit is public
+    told_of = exoid.identify(lost)
+    assert told_of.combinations == {}
+
+
+def test_a_saved_fit_that_was_refused_is_read_without_its_numbers(tmp_path):
+    kept = fit(recorded(DROP), multistart=2, fix={"damping": 0.2})
+    exoid.save_result(replace(kept, astray="it misses"), tmp_path / "fit.json")
+    found = exoid.load_result(tmp_path / "fit.json").result
+    assert not found.follows
+    assert found.parameters["inertia"].value is None
 
 
 def test_no_number_of_a_refused_model_is_shown_but_what_the_user_fixed():

@@ -27,6 +27,7 @@ FORMATS: dict[str, Callable[[Joint], Exported]] = {
 }
 FORMS = ", ".join(FORMATS)
 
+LOST = "the fit does not follow its recording ({why}): none of its numbers is to be used."
 UNTOLD = (
     "nothing told {names}: the file holds a leg that moves alike, right but for one factor of all "
     "masses and torques. Give body mass and height, or record a drop with a known mass."
@@ -68,8 +69,8 @@ def export(
     torque, too.
 
     **Raises** `ValueError` where the form has nothing that acts like a term, by its name and with
-    advice; where every segment was fitted alone; for a fit that an older exoid saved; for C where
-    nothing told how large torques are.
+    advice; where every segment was fitted alone; for a fit that does not follow its recording, or
+    that an older exoid saved; for C where nothing told how large torques are.
 
     >>> found = exoid.export(exoid.fit("drops.csv"), "mjcf")
     >>> found.text.splitlines()[0], found.warnings
@@ -80,6 +81,8 @@ def export(
     if isinstance(found, Saved):
         found = found.diagnosis or found.result
     result = found.fit if isinstance(found, Diagnosis) else found
+    if result.astray is not None:
+        raise ValueError(LOST.format(why=result.astray))
     if form == "c" and result.leg is not None and result.parameters["inertia"].value is None:
         raise ValueError(SIZELESS)
     with jax.enable_x64(True):  # else formulas and memories would lose half of their digits

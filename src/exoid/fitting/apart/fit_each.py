@@ -18,6 +18,7 @@ from exoid.fitting.movements import left_out, movements_in
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.estimates.scale import UNLIKE_ITS_BODY, with_reasons
 from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.result.refused.without_numbers import without_numbers
 from exoid.physics.term import Term, name_of
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.recording import Recording
@@ -30,7 +31,7 @@ def fit_each(given: RecordingsLike, **options) -> FitResult:
 
     Ratios are the mean over segments, with the standard error of their scatter and of what is the
     same in all segments of a recording; the parameters are what prior and limits make of the mean
-    ratios.
+    ratios. Where one of the segments is not followed, none has a value.
 
     >>> each = exoid.fit_each("drops.csv")
     >>> round(each.ratios["gravity_over_inertia"].value)  # 1/s^2
@@ -44,12 +45,12 @@ def fit_each(given: RecordingsLike, **options) -> FitResult:
     results = [alone(part, options) for part in parts]
     aside = [*amount.notes, *left_out(amount.parts, moving)]
     if len(results) < 2:
-        return with_aside(results[0], [*aside, *results[0].set_aside])
+        return with_aside(without_numbers(results[0]), [*aside, *results[0].set_aside])
     sessions = [part.recording.subject.session for part in parts]
     owner = [sessions.index(each) for each in sessions]
     classes = classes_of(options.get("terms", ()))
     found = together(results, owner, believed(recordings, options, classes), classes)
-    return replace(found, set_aside=aside, notes=said_of(results, aside))
+    return replace(without_numbers(found), set_aside=aside, notes=said_of(results, aside))
 
 
 def believed(

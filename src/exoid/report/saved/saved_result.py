@@ -1,13 +1,14 @@
 """A fit with what else was found and where it came from, as it is kept in one file."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 from exoid.fitting.errors.profile import Profile
 from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.result.refused.without_numbers import without_numbers
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.physics.term import Term
 from exoid.planning.planned import Plan
@@ -77,6 +78,7 @@ def load_result(path: str | Path, *, terms: Sequence[type[Term]] = ()) -> SavedR
     if path.is_dir():
         raise ValueError(f"{path}: this is a directory. Name the file in it.")
     try:
-        return read(SavedResult, path, own=terms)
+        found = read(SavedResult, path, own=terms)
     except DocumentError as fault:
         raise ValueError(f"{path}: {fault}") from fault
+    return replace(found, result=without_numbers(found.result))
