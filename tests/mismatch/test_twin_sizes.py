@@ -82,3 +82,14 @@ def test_suspects_have_the_sizes_of_the_fit_or_those_for_its_inertia():
     two = Suspect(["torque_bias", "hard_stop"], [], searched)
     (other,) = as_fitted(two, ["stiffness_rest_angle"], fitted, 2.0).parameters
     assert other.value == pytest.approx(2.4)
+
+
+def test_a_rivals_torque_is_as_open_as_the_inertia_that_it_is_for():
+    """A torque sensor's gain, known to 7 %, is in the fit's own size, and in that of a rival."""
+    level = Parameter("coulomb_friction.level", 0.1, "N m", 0.001)
+    rate = Parameter("zero_drift.rate", 0.1, "rad/s", 0.001)
+    suspect = Suspect(["coulomb_friction", "zero_drift"], [], [level, rate])
+    torque, other = as_fitted(suspect, ["coulomb_friction"], [], 2.0, doubt=0.07).parameters
+    assert torque.value == pytest.approx(0.2)
+    assert torque.standard_error == pytest.approx(np.hypot(0.002, 0.07 * 0.2))
+    assert other == rate

@@ -7,7 +7,7 @@ import numpy as np
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.systematics.limiting import limited_anew
 from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect
-from exoid.mismatch.answer.over_inertia import OVER, times_inertia
+from exoid.mismatch.answer.over_inertia import OVER, doubt_of, times_inertia
 from exoid.mismatch.conclude.rivals import advice, suspects, value_of, with_spread
 from exoid.mismatch.conclude.verdict.past_threshold import with_threshold
 from exoid.mismatch.search.found import names, words
@@ -68,7 +68,8 @@ def beside(suspect: Suspect, fit: FitResult) -> Suspect:
         before = value_of(each.name, fit)
         return replace(each, before=each.before if before is None else before, after=now)
 
-    own = [times_inertia(each, factor) for each in suspect.parameters]
+    doubt = doubt_of(fit.parameters["inertia"])
+    own = [times_inertia(each, factor, doubt) for each in suspect.parameters]
     return replace(suspect, numbers=list(map(here, suspect.numbers)), parameters=own)
 
 

@@ -16,7 +16,7 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.systematics.limiting import limited_anew
 from exoid.fitting.result.untold import if_times_right
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter, just_made
-from exoid.mismatch.answer.over_inertia import times_inertia
+from exoid.mismatch.answer.over_inertia import doubt_of, times_inertia
 from exoid.mismatch.conclude.asserted import same_cause
 from exoid.mismatch.conclude.rivals import (
     advice,
@@ -118,11 +118,12 @@ def by_eq9(found: Diagnosis) -> Diagnosis:
     booked, suspected = by_the_fits(found, None)
     inertia = (before.parameters["inertia"].value if before.follows else None) or found.inertia
     larger = inertia / found.inertia
+    doubt = doubt_of(before.parameters["inertia"]) if before.follows else 0.0
     own: dict[str, Any] = {
         "inertia": inertia,
         "location": found.location.with_inertia(inertia),
-        "parameters": [times_inertia(each, larger) for each in found.parameters],
-        "suspected": [as_fitted(one, [], [], larger) for one in suspected],
+        "parameters": [times_inertia(each, larger, doubt) for each in found.parameters],
+        "suspected": [as_fitted(one, [], [], larger, doubt) for one in suspected],
     }
     before = limited_anew(before, found.before)
     same = replace(found, before=before, booked=booked, **own)
@@ -177,7 +178,8 @@ def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
     booked, each = by_the_fits(found, after)
     twins = twin_sizes(after, found.equivalent, inertia)
     sizes, larger = [*parameters, *twins], inertia / found.inertia
-    suspected = [as_fitted(one, found.best.terms, sizes, larger) for one in each]
+    doubt = doubt_of(after.parameters["inertia"])
+    suspected = [as_fitted(one, found.best.terms, sizes, larger, doubt) for one in each]
     more: dict[str, Any] = {"booked": booked, "suspected": suspected, "twins": twins}
     if found.formula is not None and after.leg is not None:
         own = fitted_formula(after.fitted_terms).times(inertia / float(after.leg.inertia))

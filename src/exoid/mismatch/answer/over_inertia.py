@@ -1,6 +1,7 @@
 """Parameters of what is missing over an inertia that nobody knows."""
 
 from dataclasses import replace
+from math import hypot
 from typing import Any
 
 from exoid.fitting.model.term_parameters import RATIO_UNITS, parameters_of
@@ -45,7 +46,17 @@ def power_of(each: Any) -> float:
     return float(each.unit.startswith("N m") if declared is None else declared.inertia_power)
 
 
-def times_inertia(each: Any, factor: float) -> Any:
-    """The parameter of a leg whose J is so many times as large."""
-    scale, error = factor ** power_of(each), each.standard_error
-    return replace(each, value=each.value * scale, standard_error=error and error * scale)
+def times_inertia(each: Any, factor: float, doubt: float = 0.0) -> Any:
+    """The parameter of a leg whose J is so many times as large; with an error that holds that of
+    J, where this `doubt` is its share.
+    """
+    power, error = power_of(each), each.standard_error
+    value = each.value * factor**power
+    of_scale = abs(power * value) * doubt
+    own = error and hypot(error * factor**power, of_scale)
+    return replace(each, value=value, standard_error=own)
+
+
+def doubt_of(inertia: Any) -> float:
+    """What share of J its error is; 0 where nothing tells J, and what goes with it is for one."""
+    return abs((inertia.standard_error or 0.0) / inertia.value) if inertia.value else 0.0

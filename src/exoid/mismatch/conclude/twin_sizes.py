@@ -90,11 +90,13 @@ def first_of(term: type[Term]) -> tuple[str, Declaration]:
     return f"{name_of(term)}.{name}", declared
 
 
-def as_fitted(one: Suspect, terms: list[str], known: list[Parameter], larger: float) -> Suspect:
+def as_fitted(
+    one: Suspect, terms: list[str], known: list[Parameter], larger: float, doubt: float = 0.0
+) -> Suspect:
     """A suspect that is what was found, or its twin, with the numbers that the fit has of it; any
-    other one for the fit's J, so many times as large as that of the search.
+    other one for the fit's J, so many times as large as that of the search, and as open.
     """
     sizes = {each.name: each for each in known}
     same = len(one.terms) == len(terms) and all(each.name in sizes for each in one.parameters)
-    own = [sizes[e.name] if same else times_inertia(e, larger) for e in one.parameters]
+    own = [sizes[e.name] if same else times_inertia(e, larger, doubt) for e in one.parameters]
     return replace(one, parameters=own)

@@ -113,7 +113,7 @@ def suspects(found: Diagnosis) -> Table:
 
 
 def how_large(found: Diagnosis) -> str:
-    """The sizes of the suspects, by noise alone but for what a fit has; none in older files."""
+    """The sizes of the suspects, by noise and J but for what a fit has; none in older files."""
     each = [
         f"{causes_in_words(one.terms)}: {', '.join(map(parameter, parameters_shown(found, own)))}"
         f"{''.join(map(remark, one.terms))}"
