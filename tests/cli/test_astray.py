@@ -20,7 +20,7 @@ def lost(command, tmp_path_factory):
     folder = tmp_path_factory.mktemp("lost")
     write_table(recording(drop((7.0, 1.2, 0.6), -0.3, duration=2.4)), folder / "slow.csv")
     out = {name: folder / f"out.{name}" for name in ("json", "png", "nc", "html")}
-    done = command.alone(
+    done = command(
         "fit",
         folder / "slow.csv",
         "--multistart",
