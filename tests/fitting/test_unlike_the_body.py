@@ -338,6 +338,15 @@ def test_a_mass_that_acts_elsewhere_is_said_to_be_where_it_is_not_declared(dista
     assert "where 0.3 m is declared" in said
 
 
+def test_a_mass_that_swings_as_declared_and_weighs_otherwise_is_told_by_both():
+    """A millimetre is none: it is its extent that differs."""
+    (each,) = movements_of([("a", with_mass(0.41, 0.05, declared=0.41))])[1:]
+    moved = {"log_distance": np.log(0.397 / 0.41), "extent": 0.086**2 - 0.05**2}
+    said = acting(each, lambda name: moved[name])
+    assert said.startswith("0.397 m from the knee with a radius of gyration of 0.086 m")
+    assert "0.41 m is declared" in said
+
+
 @pytest.mark.parametrize(("gyration", "off"), [(0.0, 0.005), (0.05, -0.005), (0.1, 0.0)])
 def test_a_mass_where_it_is_said_to_hang_is_believed(gyration, off):
     """By a tape that is 5 mm off, of any extent that is believed."""

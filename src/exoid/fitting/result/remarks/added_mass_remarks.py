@@ -10,6 +10,7 @@ from exoid.fitting.solve.problem import Problem
 from exoid.physics.anatomy.expected import STRANGE
 
 UNUSUAL = 2.0  # standard deviations: a mass that reaches beyond 10 cm, or hangs 1 cm elsewhere
+MEASURED = 0.005  # m, to which a distance is measured: no mass hangs elsewhere by less
 AGREES = {True: "does not agree with", False: "hardly agrees with"}
 HELD = (
     " ± of J, and of what goes with it, holds that the distance may be centimetres off: by so much "
@@ -115,10 +116,12 @@ def acting(each: Movement, found: Callable[[str], float]) -> str:
     distance = each.added_mass_distance * exp(found("log_distance"))
     square = max(usual + found("extent"), 0.0)
     declared, at, extent = f"{each.added_mass_distance:.3g}", f"{distance:.3g}", sqrt(square)
-    swings, by = f"{same_swing(distance, square, usual):.3g}", f"is the usual {sqrt(usual):.2g} m"
+    length = same_swing(distance, square, usual)
+    swings, by = f"{length:.3g}", f"is the usual {sqrt(usual):.2g} m"
+    as_declared = abs(length - each.added_mass_distance) < MEASURED
     if "extent" in each.systematics.declared:
         by = f"is the declared {sqrt(usual):.2g} m"
-    if swings == declared != at:
+    if as_declared and swings != at:
         return (
             f"{at} m from the knee with a radius of gyration of {extent:.2g} m, where {declared} m "
             f"is declared, and that {by}"
