@@ -493,6 +493,7 @@ def other_device(ticks, lost=()):
         )
 
 
+NAMES = "Knee: ", "Force: "  # of its messages
 SIGNALS = {
     "angle": "Knee.Angle",
     "angular_velocity": "Rate [deg/s]",
@@ -513,6 +514,9 @@ def test_another_device_is_read_through_its_dbc_and_a_map(tmp_path, dbc):
     torque = 5 * np.sin(segment.time[inside])
     assert np.abs(segment.applied_torque[inside] - torque).max() < 0.01
     assert quality.clock == "host"
+    angle, other = (next(line for line in quality.notes if name in line) for name in NAMES)
+    assert "interpolated" not in angle
+    assert other.endswith("interpolated to those of Knee")
 
 
 def test_a_map_may_call_a_rate_as_tables_do(tmp_path, dbc):
@@ -530,6 +534,8 @@ def test_lost_frames_of_another_device_are_gaps(tmp_path, dbc):
     segment, quality = read(tmp_path, log, dbc=dbc, signals=SIGNALS)
     assert [gap.samples for gap in quality.gaps] == [1, 3]
     assert np.abs(segment.angle - knee_angle(segment.time)).max() < 0.0015
+    assert any(line.endswith("by their times in 2 places") for line in quality.losses())
+    assert not any("counter jumps" in line for line in quality.lines())  # there is none
     with pytest.raises(CanLogError, match="Knee: 4 of 500 frame"):
         read(tmp_path, other_device(500, lost), dbc=dbc, signals=SIGNALS, strict=True)
 

@@ -108,7 +108,7 @@ class LogQuality:
         lines = [line for found, line in told if found]
         lines += [
             f"{count.name}: {count.expected - count.used} of {counted(count.expected, 'frame')} "
-            f"lost, the counter jumps {counted(count.jumps, 'time')}"
+            f"lost, {self.jumps_line(count.jumps)}"
             for count in self.messages
             if count.expected > count.used
         ]
@@ -127,6 +127,12 @@ class LogQuality:
         return (
             f"the header announces {counted(self.announced, 'object')}, the file holds {self.found}"
         )
+
+    def jumps_line(self, jumps: int) -> str:
+        """By what it is known that frames are lost: where there is no counter, by their times."""
+        if self.clock == "host":
+            return f"by their times in {counted(jumps, 'place')}"
+        return f"the counter jumps {counted(jumps, 'time')}"
 
     def gap_lines(self) -> list[str]:
         longest = sorted(self.gaps, key=lambda gap: -gap.duration)[:SHOWN]

@@ -155,5 +155,8 @@ def quality_of(
         announced=log.announced,
         found=log.found,
         stopped=log.stopped,
-        notes=tuple(told(name, each) for name, each in tracks.items()),
+        notes=tuple(
+            told(name, each) + ("" if each is track else f", interpolated to those of {leading}")
+            for name, each in tracks.items()
+        ),
     )

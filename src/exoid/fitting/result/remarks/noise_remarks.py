@@ -101,9 +101,10 @@ def of_channel(noise: Noise, channel: str, unit: str) -> list[str]:
         said.append(f"{of_play(noise.play)} Tighten what couples the two.")
     if noise.alike_over:
         said.append(
-            f"the {channel} was smoothed or interpolated before it came here: its errors are alike "
-            f"over about {noise.alike_over:.2g} s, and it counts as {degrees(noise.level):.2g} "
-            f"{unit} of noise. Smoothing blurs a release; give what was measured, if you have it."
+            f"the errors of the {channel} are alike over about {noise.alike_over:.2g} s, and it "
+            f"counts as {degrees(noise.level):.2g} {unit} of noise: it was smoothed or "
+            "interpolated, before it came here or from CAN frames of its own to the angle's times. "
+            "Smoothing blurs a release; give what was measured, if you have it."
         )
     if noise.heavy:
         said.append(
