@@ -10,7 +10,7 @@ from exoid.pendulum.halt import of_halt, of_rise, of_stop
 from exoid.pendulum.off_body import with_doubted_times
 from exoid.pendulum.off_clock import with_doubted_clock
 from exoid.pendulum.push import of_lead, of_push
-from exoid.pendulum.smoothing import as_smoothed
+from exoid.pendulum.smoothing import as_smoothed, of_play
 from exoid.recordings.conventions.jumps import AGAIN, jumps_of, told_jumps
 from exoid.recordings.conventions.lowered import WHY, lowered
 from exoid.recordings.landmarks.find_landmarks import find_landmarks
@@ -104,6 +104,7 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         lead = of_lead(found) if handled else None
         wild = of_wild_samples(recording.segments[number], segment)
         notes = stop, drifting.note, smoothed, clock, times, lead, push, wild
+        notes = stop, drifting.note, smoothed, clock, times, push, of_play(cleaned), wild
         note = "; ".join(filter(None, notes)) or None
         if halt is None:
             check_motion(read)
