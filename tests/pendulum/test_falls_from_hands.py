@@ -61,7 +61,16 @@ def test_errors_hold_how_a_hand_moved_the_leg(sway, hertz):
     assert (np.square(off).sum(axis=0) < chi2.ppf(0.999, MANY)).all()
 
 
-def test_a_hand_that_takes_0_4_seconds_to_let_go_is_noticed_mostly():
-    drops = [measure_drops(let_go(0.0, 1.0, seed, fading=0.4)[0]).drops[0] for seed in range(8)]
+@pytest.mark.parametrize("fading", [0.3, 0.35, 0.4])
+def test_a_hand_that_takes_a_third_of_a_second_to_let_go_is_noticed_mostly(fading):
+    """What is read of it is of a leg that was kept back: noise hides that in one of eight."""
+    drops = [measure_drops(let_go(0.0, 1.0, seed, fading=fading)[0]).drops[0] for seed in range(8)]
     reasons = [str(each.measures["first_flexion_amplitude"].reason) for each in drops]
-    assert sum("no free fall" in each for each in reasons) >= 6  # noise hides it in the others
+    assert sum("no free fall" in each for each in reasons) >= 7
+
+
+@pytest.mark.parametrize("fading", [0.0, 0.05, 0.1])
+def test_a_hand_that_lets_go_at_once_keeps_no_leg_back(fading):
+    for seed in range(8):
+        (found,) = measure_drops(let_go(0.0, 1.0, seed, fading=fading)[0]).drops
+        assert found.measures["first_flexion_amplitude"].value is not None
