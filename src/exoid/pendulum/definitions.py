@@ -164,8 +164,8 @@ def peak_flexion_acceleration(drop: Landmarks) -> DropReading:
 
 def peak_extension_acceleration(drop: Landmarks) -> DropReading:
     drop.check_fall()
-    begin = drop.begin + HALF
-    return size(drop.steepest(2, 1, begin, drop.extension(1).time))
+    begin, end = drop.begin + HALF, drop.extension(1).time
+    return size(drop.struck(begin, end) or drop.steepest(2, 1, begin, end))
 
 
 def at(place: Peak) -> DropReading:

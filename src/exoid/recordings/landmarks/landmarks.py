@@ -116,6 +116,15 @@ class Landmarks:
         sharp, wide = (local(self.track, time, self.begin, half) for half in (HALF, 2 * HALF))
         return time, sharp, wide
 
+    def struck(self, begin: float, end: float) -> Peak | None:
+        """Where an impact accelerates most to extension between two times; None without one."""
+        hits = [each for each in self.impacts if begin <= each.time <= end and each.gained > 0]
+        if not hits:
+            return None
+        hit = max(hits, key=lambda each: each.acceleration)
+        near = nearest(self.track, hit.time)
+        return Peak(near, hit.time, HALF, hit.acceleration, hit.acceleration_error)
+
     def steepest(self, order: int, sign: int, begin: float, end: float) -> Peak:
         """Where a derivative is greatest (sign 1) or least (-1) between two times of the first two
         swings.

@@ -17,6 +17,7 @@ from exoid.recordings.landmarks.impact.push import (
     REACH,
     STEP,
     every_push,
+    greatest,
     pushed,
 )
 from exoid.recordings.measured.samples import Samples
@@ -24,6 +25,7 @@ from exoid.recordings.measured.samples import Samples
 HALF, DEGREE = 0.1, 4  # s to either side, and of the polynomial: as other turns are read
 CLEAR = 25.0  # chi-square by which a push must explain more: a drop without one has 23 at most
 UNLIKELY = 1e-3  # weight of a push that is not counted
+SHAPE = 0.1  # of its acceleration, by which a stop pushes otherwise than by half a sine
 FINE = 5e-4  # s between the instants at which the angle may be greatest or least
 
 
@@ -37,6 +39,8 @@ class Impact:
     error: float  # rad
     lasting: float  # s
     gained: float  # rad/s, extension positive
+    acceleration: float  # rad/s^2, in the middle of the push
+    acceleration_error: float  # rad/s^2
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,6 +69,12 @@ class Around:
 
 def powers_of(time: Samples) -> NDArray[np.float64]:
     return np.vander(time / HALF, DEGREE + 1, increasing=True)
+
+
+def bends_of(time: float) -> Samples:
+    """The second derivatives of these powers at one time [1/s^2]."""
+    power = np.arange(DEGREE + 1)
+    return power * (power - 1) * (time / HALF) ** np.maximum(power - 2, 0) / HALF**2
 
 
 def impact_at(time: Samples, angle: Samples, noise: float, turn: float, side: int) -> Impact | None:
@@ -100,18 +110,28 @@ def summed(around: Around, weight: Samples, side: int, rough: float) -> Impact:
     share = weight[likely] / weight[likely].sum()
     each = np.array([turned(around, *divmod(int(one), INSTANTS.size), side) for one in likely])
     mean = share @ each
-    time, value, error, _ = each.T
+    time, value, error = each.T[:3]
     late = float(np.sqrt(share @ (time - mean[0]) ** 2))
+    bent = float(np.sqrt(share @ ((each[:, 4] - mean[4]) ** 2 + rough * each[:, 5] ** 2)))
     between = mean[3] / 4 * STEP  # rad, from one instant that is tried to the next
     unsure = float(np.sqrt(share @ ((value - mean[1]) ** 2 + rough * error**2) + between**2))
     lasting = float(share @ np.array(LASTING)[likely // INSTANTS.size])
-    return Impact(float(mean[0]), max(late, FINE), float(mean[1]), unsure, lasting, float(mean[3]))
+    return Impact(
+        time=float(mean[0]),
+        time_error=max(late, FINE),
+        value=float(mean[1]),
+        error=unsure,
+        lasting=lasting,
+        gained=float(mean[3]),
+        acceleration=float(mean[4]),
+        acceleration_error=float(np.hypot(bent, SHAPE * mean[4])),
+    )
 
 
-def turned(
-    around: Around, lasting: int, instant: int, side: int
-) -> tuple[float, float, float, float]:
-    """Where an angle turns with one push: s, rad, its error by the noise, rad/s gained."""
+def turned(around: Around, lasting: int, instant: int, side: int) -> tuple[float, ...]:
+    """Where an angle turns with one push: s, rad, its error by the noise, rad/s gained, and rad/s^2
+    in the middle of the push with their error by the noise.
+    """
     push = LASTING[lasting], float(INSTANTS[instant])
     own = pushed(around.time - push[1], push[0])
     inverse = np.linalg.pinv(np.column_stack([around.powers, own]))
@@ -121,4 +141,6 @@ def turned(
     curve = table @ found
     at = int(np.argmin(side * curve))
     error = around.noise * float(np.linalg.norm(table[at] @ inverse))
-    return float(times[at]), float(curve[at]), error, float(found[-1])
+    bend = np.append(bends_of(push[1]), greatest(push[0]))
+    bent = float(bend @ found), around.noise * float(np.linalg.norm(bend @ inverse))
+    return float(times[at]), float(curve[at]), error, float(found[-1]), *bent
