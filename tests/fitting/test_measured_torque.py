@@ -2,19 +2,22 @@
 
 from dataclasses import replace
 
+import jax.numpy as jnp
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
-from exoid.fitting.result.estimates.moved import variance_left
+from exoid.fitting.result.estimates.moved import hidden, variance_left
 from exoid.fitting.result.remarks.residual_remarks import EXPLAINED
+from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.recordings.declared.protocol import Protocol
 from exoid.recordings.declared.sensors import Sensors
 from exoid.recordings.declared.subject import Subject
 from exoid.recordings.measured.segment import Segment
 from exoid.recordings.recording import Recording
 from exoid.trust.identify import identify
+from exoid.trust.not_found import not_found
 from fit_cases import DROP, recorded
 
 INERTIA, GRAVITY_MOMENT, DAMPING, STIFFNESS = 0.42, 10.33, 0.6, 3.0  # kg m^2, N m, SI
@@ -194,3 +197,47 @@ def test_a_zero_that_a_fit_takes_for_something_else_keeps_its_variance_whatever_
 def test_a_zero_that_nothing_else_looks_like_is_told_as_well_as_its_samples_do():
     told = variance_left(np.zeros((1, 6)), np.zeros((6, 1)), np.array([99.0]))
     assert told[0] == pytest.approx(0.01)
+
+
+def test_a_zero_hides_in_what_is_missed_but_for_what_would_leave_more():
+    """A deviation of it, which leaves 400 in squares or 0.25, where 100 are missed."""
+    told = 1 / (1 + np.array([400.0, 0.25]))
+    assert hidden(told, np.full(2, 100.0)) == pytest.approx([0.5, 1.0])
+
+
+def rubbing(seconds: float = 6.0) -> Recording:
+    """A motor on a vertical axis: J 0.018, d 0.012, friction 0.11 N m, to and fro, whose torque is
+    as exact as 5 mN m; the friction acts within a few mrad/s otherwise than a term has it.
+    """
+    time, step = np.arange(round(seconds * 200)) / 200, 5e-4
+    angle, rate, seen = 0.0, 0.0, []
+    for number in range(time.size * 10):
+        if number % 10 == 0:
+            seen.append(angle)
+        torque = pushing(number * step)
+        rate += step * (torque - 0.012 * rate - 0.11 * np.tanh(rate / 0.02)) / 0.018
+        angle += step * rate
+    counts = 2 * np.pi / 65536
+    segment = Segment(
+        time, raw_angle=counts * np.round(np.array(seen) / counts), applied_torque=pushing(time)
+    )
+    rig = Subject(kind="rig", gravity="none", spring="none")
+    sensors = Sensors(
+        encoder_counts=65536.0, torque_zero_uncertainty=0.005, torque_gain_uncertainty=0.01
+    )
+    return Recording((segment,), rig, Protocol(kind="measured"), sensors)
+
+
+def pushing(time):
+    return 0.35 * np.sin(np.pi * time) + 0.3 * np.sin(3.4 * np.pi * time + 1)
+
+
+def test_the_zero_of_a_torque_does_not_hide_the_friction_of_what_it_moves_to_and_fro():
+    """A zero of its ± alone would leave far more than is missed."""
+    found = fit(rubbing(), terms=(CoulombFriction(jnp.asarray(0.1)),), multistart=2)
+    size = found.terms["coulomb_friction"]["level_over_inertia"]
+    damping = found.ratios["damping_over_inertia"]
+    assert abs(size.value - 0.11 / 0.018) < 3 * size.standard_error
+    assert size.standard_error < 0.1 * size.value
+    assert abs(damping.value - 0.012 / 0.018) < 3 * damping.standard_error
+    assert not_found(found) == []

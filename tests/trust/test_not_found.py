@@ -45,6 +45,14 @@ def test_the_limit_holds_the_truth_in_nineteen_of_twenty():
         assert np.mean(missed) < 0.06
 
 
+def test_what_may_be_the_zero_of_a_torque_instead_is_not_absent():
+    """Of 6 ± 3.5 all but 0.05 is the sensor's zero: what is there is friction, or that."""
+    seen = friction(6.1, 3.5)
+    assert none_of(seen)
+    assert not none_of(replace(seen, limited_by={"torque_zero": 0.9998}))
+    assert none_of(replace(friction(0.05, 3.5), limited_by={"torque_zero": 0.9998}))
+
+
 @pytest.fixture(scope="module")
 def smooth() -> FitResult:
     """A leg without friction, fitted with it."""

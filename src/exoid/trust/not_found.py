@@ -47,10 +47,11 @@ def is_size(declared: Declaration) -> bool:
 
 
 def none_of(each: Estimate) -> bool:
-    """Is it 0 within its error?"""
+    """Is it 0 within its error? What may be the zero of a measured torque instead is not absent."""
     if each.value is None or not each.standard_error:
         return False
-    return each.value < NEAR * each.standard_error
+    other = 1 - (each.limited_by or {}).get("torque_zero", 0.0)
+    return each.value < NEAR * each.standard_error * max(other, 0.0) ** 0.5
 
 
 def upper(each: Estimate) -> float:

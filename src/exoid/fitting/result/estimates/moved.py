@@ -8,6 +8,7 @@ dz = -(A'A + P)^-1 A'b u for it, the residual r and the response b tell it as
 
 s being its standard deviation and P what is believed. A tilt of the seat, an encoder's zero and a
 spring's slack angle make nearly the same torque: the fit takes what it cannot tell apart for those.
+Where more than noise is missed, r tells none; then u is at most what would leave as much as that.
 Where other segments lie beside those that a torque drove, it is an unknown of the fit itself.
 """
 
@@ -84,13 +85,20 @@ def moved_by_torque_zero(problem: Problem, ended: SearchResult) -> np.ndarray:
     deviation = np.array([zero_of_torque(own) for own in problem.recordings])
     if "torque_zero" in problem.owned or not deviation.any():
         return np.zeros((len(ended.local.prior), 0))
-    known, crossed, square, slope = normal_equations(problem, ended, deviation)
+    known, crossed, square, slope, missed = normal_equations(problem, ended, deviation)
     moved = np.linalg.solve(known, crossed.T)  # by a zero of one deviation
     told = variance_left(crossed, moved, square)
     size = np.hypot(told * slope, np.sqrt(told))
     if ended.disturbance.scale > NOISY:  # what is missed would be taken for a zero
-        size = np.maximum(size, 1.0)
+        size = np.maximum(size, hidden(told, missed))
     return moved * size
+
+
+def hidden(told: np.ndarray, missed: np.ndarray) -> np.ndarray:
+    """Of its deviation, how large a zero may be in what is `missed`, which tells none: all of it,
+    unless by itself that would leave more (both sums of squares) than is missed.
+    """
+    return np.sqrt(np.minimum(missed * told / np.maximum(1 - told, missed * told), 1.0))
 
 
 def variance_left(crossed: np.ndarray, moved: np.ndarray, square: np.ndarray) -> np.ndarray:
@@ -102,15 +110,15 @@ def variance_left(crossed: np.ndarray, moved: np.ndarray, square: np.ndarray) ->
 
 def normal_equations(
     problem: Problem, ended: SearchResult, deviation: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """A'A + P, and of the zero of every recording A'b, b'b and b'r, by one deviation of it."""
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """A'A + P, of the zero of every recording A'b, b'b and b'r, by one deviation of it, and r'r."""
     found, local, owner = ended.disturbance, ended.local, np.asarray(problem.observation.owner)
     driven = np.array([kind == "measured" for kind in problem.kinds])
     per_inertia = driven * deviation[owner] / np.exp(ended.point.shared.log_inertia)
     seen = sensed(problem, ended.point, per_inertia)
     size = len(local.prior)
     known, crossed = local.prior + VAGUE * np.eye(size), np.zeros((len(deviation), size))
-    square, slope = np.zeros((2, len(deviation)))
+    square, slope, missed = np.zeros((3, len(deviation)))
     scales = found.scale * found.weighing(problem.kinds)
     for number, place in enumerate(columns(ended.point, owner)):
         rows = seen.columns[number].reshape(len(place), -1) / scales[number]
@@ -121,4 +129,5 @@ def normal_equations(
         crossed[owner[number], place] += rows @ response
         square[owner[number]] += response @ response
         slope[owner[number]] += response @ residual
-    return known, crossed, square, slope
+        missed[owner[number]] += residual @ residual
+    return known, crossed, square, slope, missed
