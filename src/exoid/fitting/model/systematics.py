@@ -37,6 +37,7 @@ SLANT = radians(2.5)  # the same of a leg whose centre of mass a foot puts besid
 FOOT = 0.5  # of all legs are taken for such
 GYRO_BIAS = radians(5.0)  # rad/s; LSM6DS3: +-10 deg/s at zero rate
 CLOCK = 1e-4  # a quartz, cheap and warm; where encoder and gyro disagree, it may be the clock
+LOOSE_CLOCK = 5e-3  # of phones, cameras and computers, unless somebody looked: seldom more
 WEIGHED = 5e-3  # of the added mass: a kitchen scale
 PLACED = 5e-3  # m, its distance, by tape
 MISREAD = 0.04  # m, the same where the tape was read wrong, or held to another place,

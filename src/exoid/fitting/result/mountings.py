@@ -4,6 +4,7 @@ import numpy as np
 
 from exoid.fitting.model.coordinates import Coordinates, layout, quantities
 from exoid.fitting.model.systematics import (
+    LOOSE_CLOCK,
     OF_THE_GYRO,
     OF_THE_LOAD,
     OF_THE_MASS,
@@ -11,18 +12,18 @@ from exoid.fitting.model.systematics import (
     OWNED,
     SOMEWHERE,
 )
+from exoid.fitting.multistart.rare import undeclared
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.chief import WORDS
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.estimates.estimate import Estimate
-from exoid.fitting.result.estimates.moved import Moved
+from exoid.fitting.result.estimates.moved import BEYOND, Moved
 from exoid.fitting.result.estimates.owned import FIELDS, MOUNTING, in_no_unit
 from exoid.fitting.result.fit_result import MountingFit
 from exoid.fitting.result.remarks.added_mass_remarks import of_added_mass
 from exoid.fitting.solve.problem import Problem
 
 STEP = 1e-6  # of a coordinate, for the slope of what is told
-BEYOND = 8.0  # standard deviations of what is declared, from which on nobody believes it
 LIKE_REST = (
     ", as it does where the thigh is tilted otherwise than is declared (thigh_angle_deg, 0 where "
     "nothing is said), where the spring is slack elsewhere than at full extension, where dry "
@@ -92,7 +93,8 @@ def numbers_at(problem: Problem, point: Coordinates) -> dict[str, float]:
 
 def beyond_belief(problem: Problem, ended: SearchResult, *, explained: bool) -> str | None:
     """Which recording the fit takes for what nobody declares, if it does; where the motion is
-    `explained`, the ratios hold wherever a mass hangs.
+    `explained`, the ratios hold wherever a mass hangs. A clock as loose as many are is none:
+    their errors hold what it does to them.
     """
     furthest, why = BEYOND, None
     let_go = any(each.kind == "passive" for each in problem.movements)
@@ -104,7 +106,10 @@ def beyond_belief(problem: Problem, ended: SearchResult, *, explained: bool) -> 
             continue
         values, deviations = getattr(ended.point.mounting, field), problem.deviation_of(field)
         for entry in problem.estimated(field):
-            away = abs(float(values[entry] / deviations[entry]))
+            usual = float(deviations[entry])
+            if field == "clock" and entry in undeclared(problem, field):
+                usual = max(usual, LOOSE_CLOCK / BEYOND)
+            away = abs(float(values[entry])) / usual
             if away > furthest:
                 furthest = away
                 size = (float(each[entry]) for each in (values, deviations))

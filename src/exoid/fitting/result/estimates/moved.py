@@ -18,12 +18,14 @@ import numpy as np
 
 from exoid.fitting.misfit.neighbourhood import columns
 from exoid.fitting.misfit.uncertainty import VAGUE, Information
+from exoid.fitting.model.coordinates import layout
 from exoid.fitting.model.systematics import zero_of_torque
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.solve.ask import sensed
 from exoid.fitting.solve.problem import Problem
 
+BEYOND = 8.0  # standard deviations of what is declared, from which on nobody believes it
 NOISY = 2.0  # times the sensors' noise, from which on the residual tells no zero
 
 
@@ -55,6 +57,30 @@ def moved(
         "reflex_form": moved_by_law(problem, ended, information),
     }
     return Moved(each if by_damping is None else each | {"damping_law": by_damping[:, None]})
+
+
+def moved(problem: Problem, ended: SearchResult, information: Information) -> Moved:
+    """By the zero of a torque's sensor, a clock that nobody believes to be so far off, and a law
+    that a leg follows otherwise than a term.
+    """
+    return Moved(
+        {
+            "clock": moved_by_clocks(problem, ended, information),
+            "torque_zero": moved_by_torque_zero(problem, ended),
+            "reflex_form": moved_by_law(problem, ended, information),
+        }
+    )
+
+
+def moved_by_clocks(problem: Problem, ended: SearchResult, information: Information) -> np.ndarray:
+    """How far it moves, (coordinate, recording), where a clock that it takes to be far off is as
+    declared: the motion tells no clock.
+    """
+    laid, off = layout(ended.point), ended.point.mounting.clock
+    wide = problem.deviation_of("clock")
+    far = [each for each in problem.estimated("clock") if abs(off[each]) > BEYOND * wide[each]]
+    places = np.asarray(laid.places.mounting.clock)[far].astype(int)
+    return moved_with(np.diag(laid.units)[places], np.asarray(off)[far], information)
 
 
 def moved_by_law(problem: Problem, ended: SearchResult, information: Information) -> np.ndarray:
