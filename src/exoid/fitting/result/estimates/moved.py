@@ -49,27 +49,15 @@ class Moved:
 def moved(
     problem: Problem, ended: SearchResult, information: Information, by_damping: np.ndarray | None
 ) -> Moved:
-    """By the zero of a torque's sensor, by a law that a leg follows otherwise than a term, and
-    `by_damping` of another law, where one is seen.
+    """By the zero of a torque's sensor, a clock that nobody believes to be so far off, a law that a
+    leg follows otherwise than a term, and `by_damping` of another law, where one is seen.
     """
     each = {
+        "clock": moved_by_clocks(problem, ended, information),
         "torque_zero": moved_by_torque_zero(problem, ended),
         "reflex_form": moved_by_law(problem, ended, information),
     }
     return Moved(each if by_damping is None else each | {"damping_law": by_damping[:, None]})
-
-
-def moved(problem: Problem, ended: SearchResult, information: Information) -> Moved:
-    """By the zero of a torque's sensor, a clock that nobody believes to be so far off, and a law
-    that a leg follows otherwise than a term.
-    """
-    return Moved(
-        {
-            "clock": moved_by_clocks(problem, ended, information),
-            "torque_zero": moved_by_torque_zero(problem, ended),
-            "reflex_form": moved_by_law(problem, ended, information),
-        }
-    )
 
 
 def moved_by_clocks(problem: Problem, ended: SearchResult, information: Information) -> np.ndarray:
