@@ -103,8 +103,8 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         push = of_push(found, drifting.measures) if handled else of_rise(track, found)
         lead = of_lead(found) if handled else None
         wild = of_wild_samples(recording.segments[number], segment)
-        notes = stop, drifting.note, smoothed, clock, times, lead, push, wild
-        notes = stop, drifting.note, smoothed, clock, times, push, of_play(cleaned), wild
+        play = of_play(cleaned)
+        notes = stop, drifting.note, smoothed, clock, times, lead, push, play, wild
         note = "; ".join(filter(None, notes)) or None
         if halt is None:
             check_motion(read)
