@@ -10,6 +10,8 @@ import exoid
 from exoid.fitting.data.segment import movement
 from exoid.fitting.estimate import fit
 from exoid.fitting.model.prior_and_limits import believe
+from exoid.fitting.result.estimates.estimate import Estimate
+from exoid.fitting.result.estimates.scale import SCALE_FREE, reason_of
 from exoid.fitting.result.refused.notes import (
     of_causes,
     of_rests,
@@ -233,6 +235,12 @@ def test_a_program_is_given_no_number_of_a_refused_model():
     assert exoid.fit is public
     told_of = exoid.identify(lost)
     assert told_of.combinations == {}
+
+
+def test_no_rig_is_asked_for_body_mass_and_height():
+    lost = Estimate("F_c", "level", "N m", None, None, reason=SCALE_FREE)
+    assert "body mass" not in reason_of(lost, rig=True).reason
+    assert reason_of(lost, rig=False) is lost
 
 
 def test_a_saved_fit_that_was_refused_is_read_without_its_numbers(tmp_path):
