@@ -80,7 +80,6 @@ def recordings():
         **{f"drop {number}": each for number, each in enumerate(plain)},
         "steep": steep,
         "of nobody": nobody,
-        "two drops": recorded(DROP, Movement(np.radians(-20), 2.3)),
         "loaded": recorded(DROP, LOADED),
         "cycle": recorded(CYCLE),
         "friction": with_friction(),
@@ -99,7 +98,7 @@ def together(recordings):
     "name",
     [
         *("drop 0", "drop 1", "drop 2", "steep", "of nobody"),
-        *("two drops", "loaded", "cycle", "friction"),
+        *("loaded", "cycle", "friction"),
     ],
 )
 def test_a_fit_among_others_is_the_fit_alone(recordings, together, name):
