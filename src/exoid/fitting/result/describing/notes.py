@@ -10,6 +10,7 @@ from exoid.fitting.result.remarks.doubted_times import as_told
 from exoid.fitting.result.remarks.noise_remarks import of_leg_tone, tone_of
 from exoid.fitting.result.remarks.pushed.damping_law import DampingLaw, of_law
 from exoid.fitting.result.remarks.remarks import remarks
+from exoid.fitting.result.remarks.residual_remarks import of_unlike_drops
 from exoid.fitting.result.remarks.rig_words import of_rig
 from exoid.fitting.result.remarks.scale_remarks import of_scale
 from exoid.fitting.result.remarks.zero.far_zeros import of_far_zeros
@@ -64,6 +65,7 @@ def of_a_fit(
         *of_anatomy(problem.belief, gravity, slack, times),
         *of_the_rest(result.segments, ended.disturbance),
         *of_unlike(result.segments, ended.disturbance),
+        *of_unlike_drops(result.segments),
         *swung,
         *remarks(problem, ended, at_bound, inertia, swung=bool(swung)),
         *of_law(law, problem, ended),

@@ -1,6 +1,8 @@
 """What besides the declared noise a fit leaves, in sentences."""
 
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -9,6 +11,9 @@ from exoid.fitting.misfit.disturbance.torque_noise import TorqueNoise
 from exoid.fitting.misfit.missed import DOUBT, NOISY, Disturbance, Missed
 
 SLIGHT = 1e-3  # of m l g, below which an unknown torque changes no number that anybody reads
+UNLIKE = 5.0  # times what the best drop is missed by: 3.5 of legs that lack the same in all
+MISSED = 3.0  # times the noise
+FEWEST = 3  # drops: of two, each pulls the leg as far to itself
 EXPLAINED = "as the white noise of the measured torque makes it"
 INCOMPLETE = "no error bar of a model that misses something is complete"
 
@@ -157,4 +162,25 @@ def of_kinds(found: Disturbance) -> list[str]:
         f"{', '.join(others)}. That is {DOUBT:g} times by how much more what they miss widens "
         "errors, though little of it may show in residuals. 'set by' names the kind that told a "
         "number."
+    ]
+
+
+def of_unlike_drops(segments: Sequence[Any]) -> list[str]:
+    """That drops of fitted `segments` are missed by far more than others, and how to ask whether
+    the leg changed.
+    """
+    drops = sorted(
+        (each for each in segments if each.kind == "passive"), key=lambda each: each.angle_rmse
+    )
+    if len(drops) < FEWEST:
+        return []
+    best, worst = drops[0], drops[-1]
+    if worst.angle_rmse < max(UNLIKE * best.angle_rmse, MISSED * worst.angle_noise):
+        return []
+    least, most = (f"{np.degrees(each.angle_rmse):.2g} deg" for each in (best, worst))
+    return [
+        f"one leg does not explain all drops alike: segment {worst.name} is missed by {most}, "
+        f"segment {best.name} by {least}. The leg may differ from drop to drop, as one that "
+        "relaxes or tires, or carries something; or what is missing acts where it falls far. "
+        "'exoid fit --each' takes every drop by itself."
     ]
