@@ -165,7 +165,8 @@ def peak_flexion_acceleration(drop: Landmarks) -> DropReading:
 def peak_extension_acceleration(drop: Landmarks) -> DropReading:
     drop.check_fall()
     begin, end = drop.begin + HALF, drop.extension(1).time
-    return size(drop.struck(begin, end) or drop.steepest(2, 1, begin, end))
+    smooth, struck = drop.steepest(2, 1, begin, end), drop.struck(begin, end)
+    return size(smooth if struck is None or struck.value < smooth.value else struck)
 
 
 def at(place: Peak) -> DropReading:
