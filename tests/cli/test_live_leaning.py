@@ -9,7 +9,7 @@ from exoid.cli.live.result import lines
 from exoid.cli.live.saying import leaning
 from exoid.online.model.trust import Phase, Trust
 from exoid.watching.board import Board, Ended
-from exoid.watching.estimate.moment import Moment, Quantity, Unlike
+from exoid.watching.estimate.moment import Misplaced, Moment, Quantity, Unlike
 
 KNOWN = (Quantity("gravity_over_inertia", 38.3, 0.4, "1/s^2"),)
 MOMENT = Moment(9.0, -1.2, 0.1, Phase.DONE, Trust.GOOD, 1, KNOWN, KNOWN)
@@ -36,3 +36,17 @@ def test_a_leg_that_is_none_of_its_body_is_said_to_be_beside_its_numbers():
     failing = board_of(replace(board.ended[0].moment, trust=Trust.UNEXPLAINED))
     assert leaning.unlike(failing) == ""
     assert leaning.unlike(board_of(MOMENT)) == ""
+
+
+def test_a_mass_that_does_not_hang_where_it_is_declared_is_told_beside_the_numbers():
+    inertia = Quantity("inertia", 0.57, 0.04, "kg m^2")
+    off = replace(MOMENT, misplaced=Misplaced(0.4, 0.374, strange=False), others=(inertia,))
+    (said,) = (each for each in lines(board_of(off)) if "added mass" in each)
+    assert "hardly agrees with how the leg moves: it acts as one at 0.374 m" in said
+    assert "± of J, and of what goes with it, holds" in said
+    far = replace(off, misplaced=Misplaced(0.4, 0.33, strange=True), others=())
+    said = leaning.misplaced(board_of(far))
+    assert "does not agree with" in said
+    assert "is not told" in said
+    assert leaning.misplaced(board_of(replace(off, trust=Trust.UNEXPLAINED))) == ""
+    assert leaning.misplaced(board_of(MOMENT)) == ""

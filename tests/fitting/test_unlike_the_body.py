@@ -15,11 +15,12 @@ from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.systematics import Systematics
 from exoid.fitting.movements import movements_of
 from exoid.fitting.result.estimates.estimate import Estimate
-from exoid.fitting.result.remarks.added_mass_remarks import acting, same_swing
+from exoid.fitting.result.remarks.added_mass_remarks import acting
 from exoid.fitting.result.remarks.anatomy_remarks import RARE, at_rate, of_anatomy
 from exoid.fitting.result.remarks.scale_remarks import POUND, away, of_scale
 from exoid.fitting.result.remarks.zero.leaning import LEANING, Leaning
 from exoid.fitting.unlike_tables import strange
+from exoid.physics.anatomy.added_mass import same_swing
 from exoid.physics.anatomy.likeness import pendulum_length
 from exoid.physics.leg import GRAVITY
 from exoid.recordings.declared.protocol import Protocol

@@ -15,7 +15,14 @@ TRUTH = {
 LIKELY = 4.0  # standard errors, beyond which one draw in 16 000 lies
 LOADED = 41.0, 57.0  # s, in which 1 kg is at the ankle
 WEIGHT = Mass(1.0, 0.4)
-SUBJECT = Subject(kind="leg", body_mass=74.0, height=1.78, added_mass_gyration=0.0)
+SUBJECT = Subject(
+    kind="leg",
+    body_mass=74.0,
+    height=1.78,
+    added_mass_gyration=0.0,
+    damping_under_load_uncertainty=0.0,
+    stiffness_under_load_uncertainty=0.0,
+)
 
 
 def until(readings, time):

@@ -45,7 +45,8 @@ def lines(board: "Board") -> list[str]:
     seconds = "" if board.moment is None else f"{board.moment.time:.1f} s, {all_drops(board)}; "
     said = [f"{seconds}{words.trust(board)}"]
     said += [*filter(None, [last_change(board)]), *left_out(board), *found]
-    beside = words.unseen, leaning.unlike, leaning.allowance, words.batch, leaning.if_slack
+    of_leg = words.unseen, leaning.unlike, leaning.misplaced
+    beside = *of_leg, leaning.allowance, words.batch, leaning.if_slack
     said += filter(None, (each(board) for each in beside))
     if (then := words.advice(board)) != "":
         said.append(f"next: {then}")

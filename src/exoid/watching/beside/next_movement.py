@@ -10,12 +10,13 @@ from math import radians
 
 from exoid.watching.beside.goals import Goal
 from exoid.watching.beside.movement import Movement, samples_of
+from exoid.watching.estimate.expect import unloading
 from exoid.watching.estimate.known import RATIOS, SCALED, known_of
 from exoid.watching.estimate.leg import Person
 from exoid.watching.estimate.load import Mass, expected_with
 from exoid.watching.estimate.moment import Moment, Quantity
 from exoid.watching.estimate.online import Belief, init, replay
-from exoid.watching.estimate.unload import Told, unloaded, unloading
+from exoid.watching.estimate.unload import Told, unloaded
 
 HOLDS = tuple(radians(each) for each in (-10, -30, -50, -70))  # the leg hangs at about -75
 WEIGHT = 1.0, 0.4  # kg, m: what a person may strap on

@@ -5,20 +5,21 @@ from dataclasses import dataclass, replace
 
 from exoid.online.model.model import Model
 from exoid.online.model.trust import Phase, Trust
-from exoid.physics.anatomy.expected import ExpectedLeg
+from exoid.physics.anatomy.expected import STRANGE, ExpectedLeg
 from exoid.recordings.declared.subject import Subject
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.recordings.measured.segment import Segment
 from exoid.watching.estimate.estimator import Drop, Estimator
+from exoid.watching.estimate.expect import unloading
 from exoid.watching.estimate.known import ABSOLUTE, RATIOS, SCALED
 from exoid.watching.estimate.left_out import CUT, TORN, LeftOut
 from exoid.watching.estimate.load import Load, Mass, expected_with
 from exoid.watching.estimate.moment import Moment, Quantity
 from exoid.watching.estimate.online import Belief
 from exoid.watching.estimate.switch import Switch
-from exoid.watching.estimate.unload import Bare, Told, unloaded, unloading
+from exoid.watching.estimate.unload import Bare, Told, misplaced_by, unloaded
 
-TOLD = 0.5  # of what the prior left open of log J: what leaves more tells no J
+TOLD = 0.5**0.5  # of the prior's error of log J, half of its variance: what leaves more tells no J
 SOUND = (Trust.WAITING, Trust.LEARNING, Trust.GOOD, Trust.ENOUGH)
 FAR = 8.0  # standard deviations: three weights told nine numbers, which are 6 apart once in 10 000
 SETTLING = 1.0  # s after a pause, or another weight, in which the gap counts as no fault
@@ -140,6 +141,7 @@ class Leg:
             drops=sum(each.drops for each in self.latest.values()),
             ratios=bare.ratios,
             others=(*absolute_of(bare), *others),
+            misplaced=misplaced_by(self.before, bare),
         )
 
     def forget_others(self) -> None:
@@ -185,5 +187,7 @@ def told_of(moment: Moment) -> Told:
 
 
 def absolute_of(bare: Bare) -> tuple[Quantity, ...]:
-    """The leg in kg m^2 and N m, where it was not the prior that told it."""
-    return bare.absolute if bare.narrowed < TOLD else ()
+    """The leg in kg m^2 and N m, where it was not the prior that told it, nor a mass that does not
+    move as it is declared.
+    """
+    return bare.absolute if bare.narrowed < TOLD and bare.misplaced <= STRANGE else ()

@@ -33,6 +33,17 @@ class Unlike:
 
 
 @dataclass(frozen=True)
+class Misplaced:
+    """An added mass that is declared at a distance from the knee, and swings as one at another [m];
+    is it so far off that hardly one in a thousand is?
+    """
+
+    declared: float
+    acts: float
+    strange: bool
+
+
+@dataclass(frozen=True)
 class Change:
     """From a time [s] on the numbers rest on other drops: so many before told `before` of the leg
     as it swung.
@@ -63,6 +74,7 @@ class Moment:
     others: tuple[Quantity, ...] = ()
     begun: float = -inf  # s, when the last free movement began, whether it counted or not
     unlike: Unlike | None = None  # where it moves as no leg of its body does
+    misplaced: Misplaced | None = None  # where what is on it moves as hardly any that hangs there
     change: Change | None = None  # until the end of the first drop of other numbers
 
     @property

@@ -3,35 +3,37 @@
 With the leg's G = m l g / J, c / J and b = d / J, and a mass M at r with the radius of gyration k,
 a drop has
 
-    J' = J + M (r^2 + k^2),   G' = (J G + M g r) / J',   (c / J)' = J c / J',   b' = J b / J'.
+    J' = J + M (r^2 + k^2),              G' = (J G + M g r) / J',
+    (c / J)' = (1 + s h) J c / J',       b' = (1 + q h) J b / J',
+
+where h is how much heavier M is than the least of all masses, 1 for the heaviest: a leg that bears
+more is damped, and drawn back, by a little more or less, and c / J and b tell J no surer than that.
 
 Two weights tell J, and r and k as far as they are not known: a mass that is 5 mm off its place
 would else make J wrong by 6 %. That is why every weight is followed as a leg of its own.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from math import exp, inf, log
+from math import exp, hypot, inf
 
 import numpy as np
 from jaxtyping import Float
 
-from exoid.fitting.model.systematics import GYRATION, MEASURED_GYRATION, PLACED, WEIGHED
-from exoid.physics.anatomy.expected import ExpectedLeg
+from exoid.fitting.model.systematics import SELDOM
+from exoid.physics.anatomy.added_mass import UNUSUAL, same_swing
+from exoid.physics.anatomy.expected import STRANGE
 from exoid.physics.leg import GRAVITY
-from exoid.recordings.declared.subject import Subject
+from exoid.watching.estimate.expect import OF_LOAD, OF_MASS, Row, Unloading
 from exoid.watching.estimate.load import Mass
-from exoid.watching.estimate.moment import Quantity
+from exoid.watching.estimate.moment import Misplaced, Quantity
 
 NAMES = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
 UNITS = ("1/s^2", "1/s^2", "1/s")
 ABSOLUTE = {"gravity": "N m", "stiffness": "N m/rad", "damping": "N m s/rad"}
-ANYWHERE = 0.5  # of the logarithm of a distance that nobody measured
-KNEE = 5.0  # times what a relaxed knee has, where nothing else is known
 ROUNDS = 8  # of Gauss-Newton at most
+MOST = 700.0  # of a logarithm of odds
 SETTLED = 1e-6  # standard deviations that the last step moves
-
-Row = Float[np.ndarray, " unknown"]  # log J, G, c / J, d / J, log of weight and distance off, k^2
 
 
 @dataclass(frozen=True)
@@ -52,58 +54,41 @@ class Bare:
     narrowed: float  # error of log J over that a priori
     row: Row
     apart: float  # standard deviations, by which anatomy and what the weights told contradict
+    misplaced: float  # standard deviations, by which the masses are not as declared
 
 
 @dataclass(frozen=True, eq=False)
-class Unloading:
-    """What is believed of a leg, and of the masses that are put on it."""
+class Solved:
+    """The row where the search ended, its covariance, and the logarithm of the evidence."""
 
-    prior: Row
-    root: Float[np.ndarray, "unknown unknown"]  # of its information: whitens a deviation
-    deviation: Row
-
-
-def unloading(expected: ExpectedLeg, subject: Subject, masses: list[Mass]) -> Unloading:
-    """Before any drop: the leg by anatomy, the masses as well as they were weighed and placed."""
-    inertia = expected.inertia.value
-    gravity = expected.mass.value * expected.com_distance.value * GRAVITY / inertia
-    knee = expected.stiffness.value / inertia, expected.damping.value / inertia
-    heaviest = max(masses, key=lambda each: each.weight)
-    said, by_tape = subject.added_mass_uncertainty, subject.added_mass_distance_uncertainty
-    weighed = WEIGHED if said is None or not heaviest.weight else said / heaviest.weight
-    away = (PLACED if by_tape is None else by_tape) / heaviest.distance
-    gyration = subject.added_mass_gyration
-    extent = GYRATION**2 if gyration is None else gyration**2
-    spread = 2**0.5 * extent if gyration is None else 2 * MEASURED_GYRATION * extent
-    prior = np.array([log(inertia), gravity, *knee, 0.0, 0.0, extent])
-    deviation = np.array(
-        [
-            1.0,
-            1.0,
-            KNEE * knee[0],
-            KNEE * knee[1],
-            weighed,
-            away if heaviest.placed else ANYWHERE,
-            1.0,
-        ]
-    )
-    deviation[-1] = max(spread, 1e-9)
-    covariance = np.diag(deviation**2)
-    covariance[:2, :2] = of_size(expected, gravity)
-    return Unloading(
-        prior, np.linalg.inv(np.linalg.cholesky(covariance)), np.sqrt(np.diag(covariance))
-    )
-
-
-def of_size(expected: ExpectedLeg, gravity: float) -> Float[np.ndarray, "2 2"]:
-    """The covariance of log J and G."""
-    assert expected.covariance is not None
-    rows = np.array([[1.0, 1.0, 1.0], [0.0, 0.0, -gravity]])
-    return rows @ np.array(expected.covariance) @ rows.T
+    row: Row
+    covariance: Float[np.ndarray, "unknown unknown"]
+    apart: float
+    evidence: float
 
 
 def unloaded(before: Unloading, told: Mapping[Mass, Told], near: Row | None = None) -> Bare:
-    """The bare leg by all weights that were told of; the search begins `near` a row."""
+    """The bare leg by all weights that were told of; the search begins `near` a row.
+
+    Errors hold that the masses hang centimetres from where they are said to, by the odds that they
+    do (`fitting/multistart/seldom.py`).
+    """
+    usual = solved(before, told, near)
+    if before.elsewhere is None or not any(mass.weight for mass in told):
+        return read(usual, usual.covariance, before)
+    far = solved(before.elsewhere, told, usual.row)
+    odds = 1 / (1 + exp(min(usual.evidence - far.evidence, MOST)) * (1 / SELDOM - 1))
+    return read(usual, usual.covariance + odds * beyond(usual, far), before)
+
+
+def beyond(usual: Solved, far: Solved) -> Float[np.ndarray, "unknown unknown"]:
+    """What the mean square is larger by about where one search ended, by what the other found."""
+    step = far.row - usual.row
+    return far.covariance - usual.covariance + np.outer(step, step)
+
+
+def solved(before: Unloading, told: Mapping[Mass, Told], near: Row | None) -> Solved:
+    """By Gauss-Newton."""
     row, slopes = (before.prior if near is None else near).copy(), before.root
     if near is None:
         for each in told.values():
@@ -115,7 +100,9 @@ def unloaded(before: Unloading, told: Mapping[Mass, Told], near: Row | None = No
         if np.max(np.abs(step) / before.deviation) < SETTLED:
             break
     apart = float(np.linalg.norm(residual(before, told, row)[0]))
-    return read(row, np.linalg.inv(slopes.T @ slopes), before, apart)
+    information = slopes.T @ slopes
+    known = float(np.linalg.slogdet(information)[1] / 2 - np.linalg.slogdet(before.root)[1])
+    return Solved(row, np.linalg.inv(information), apart, -(apart**2) / 2 - known)
 
 
 def residual(
@@ -127,34 +114,45 @@ def residual(
         values, errors = [*one.ratios], [*one.errors]
         if one.inertia is not None:
             values, errors = [*values, one.inertia[0]], [*errors, one.inertia[1]]
-        shown, slope = with_mass(row, mass)
+        shown, slope = with_mass(row, mass, heavier(mass, told))
         size, scale = len(values), np.array(errors)
         off.append((shown[:size] - np.array(values)) / scale)
         slopes.append(slope[:size] / scale[:, None])
     return np.concatenate(off), np.concatenate(slopes)
 
 
-def with_mass(row: Row, mass: Mass) -> tuple[Float[np.ndarray, "4"], Float[np.ndarray, "4 7"]]:
+def heavier(mass: Mass, told: Iterable[Mass]) -> float:
+    """By how much it is heavier than the least of all, 1 for the heaviest."""
+    weights = [each.weight for each in told]
+    return (mass.weight - min(weights)) / ((max(weights) - min(weights)) or 1.0)
+
+
+def with_mass(
+    row: Row, mass: Mass, heavier: float
+) -> tuple[Float[np.ndarray, "4"], Float[np.ndarray, "4 unknown"]]:
     """The ratios of the loaded leg and its J, and their slopes in the row."""
-    _, gravity, stiffness, damping, heavier, farther, extent = row.tolist()
-    inertia, weight = exp(row[0]), mass.weight * exp(heavier)
+    added, farther, extent = row[OF_MASS].tolist()
+    inertia, weight = exp(row[0]), mass.weight * exp(added)
     distance = mass.distance * exp(farther)
     moment, spread = weight * GRAVITY * distance, weight * distance**2
-    added = spread + weight * extent
-    loaded = inertia + added
-    own = np.array([inertia * gravity + moment, inertia * stiffness, inertia * damping]) / loaded
-    of_own = np.zeros((3, row.size))
-    of_own[:, 0] = inertia * row[1:4]
-    of_own[:, 1:4] = inertia * np.eye(3)
-    of_own[0, 4:6] = moment
-    of_loaded = np.array([inertia, 0.0, 0.0, 0.0, added, 2 * spread, weight])
+    loaded = inertia + spread + weight * extent
+    more = np.concatenate([[1.0], 1 + heavier * row[OF_LOAD]])
+    bare = inertia * row[1:4] * more
+    own = (bare + np.array([moment, 0.0, 0.0])) / loaded
+    of_own, of_loaded = np.zeros((3, row.size)), np.zeros(row.size)
+    of_own[:, 0] = bare
+    of_own[:, 1:4] = inertia * np.diag(more)
+    of_own[0, OF_MASS] = moment, moment, 0.0
+    of_own[1:, OF_LOAD] = heavier * inertia * np.diag(row[2:4])
+    of_loaded[0] = inertia
+    of_loaded[OF_MASS] = spread + weight * extent, 2 * spread, weight
     slopes = (of_own - np.outer(own, of_loaded)) / loaded
     return np.append(own, loaded), np.concatenate([slopes, of_loaded[None]])
 
 
-def read(row: Row, covariance: np.ndarray, before: Unloading, apart: float) -> Bare:
+def read(found: Solved, covariance: np.ndarray, before: Unloading) -> Bare:
     """The row in the numbers that people read."""
-    errors = np.sqrt(np.diag(covariance))
+    row, errors = found.row, np.sqrt(np.diag(covariance))
     inertia = exp(row[0])
     ratios = zip(NAMES, row[1:4].tolist(), errors[1:4].tolist(), UNITS, strict=True)
     absolute = [Quantity("inertia", inertia, inertia * float(errors[0]), "kg m^2")]
@@ -165,4 +163,15 @@ def read(row: Row, covariance: np.ndarray, before: Unloading, apart: float) -> B
         absolute.append(Quantity(name, value, float(np.sqrt(slope @ covariance @ slope)), unit))
     narrowed = float(errors[0] / before.deviation[0]) if before.deviation[0] > 0 else inf
     told = tuple(Quantity(*each) for each in ratios)
-    return Bare(told, tuple(absolute), narrowed, row, apart)
+    away = (row - before.prior) / before.deviation
+    return Bare(told, tuple(absolute), narrowed, row, found.apart, hypot(*away[OF_MASS].tolist()))
+
+
+def misplaced_by(before: Unloading, bare: Bare) -> Misplaced | None:
+    """Where the heaviest mass swings as if it hung, where that is hardly where it is declared."""
+    if not before.heaviest.placed or bare.misplaced <= UNUSUAL:
+        return None
+    _, farther, extent = bare.row[OF_MASS].tolist()
+    distance, usual = before.heaviest.distance, float(before.prior[OF_MASS][-1])
+    acts = same_swing(distance * exp(farther), max(extent, 0.0), usual)
+    return Misplaced(distance, acts, bare.misplaced > STRANGE)

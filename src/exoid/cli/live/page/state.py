@@ -41,7 +41,8 @@ def now(board: Board) -> dict[str, Any]:
 def checks(board: Board) -> str:
     """What holds of the numbers: since when they are others, and what a fit says."""
     fit = "; ".join(filter(None, [visible(words.batch(board)), leaning.if_slack(board)]))
-    return ". ".join(filter(None, [raised(last_change(board)), fit]))
+    of_mass = leaning.misplaced(board)
+    return ". ".join(filter(None, [raised(last_change(board)), of_mass, fit]))
 
 
 def raised(words: str) -> str:

@@ -19,6 +19,16 @@ FOOT = (
     "± holds what no drop tells: where a foot puts the centre of mass (give "
     "thigh_angle_uncertainty_deg with it)"
 )
+MISPLACED = (
+    "the declared distance of the added mass {} how the leg moves: it acts as one at {:.3g} m from "
+    "the knee, where {:.3g} m is declared. Measure from the axis of the knee to the middle of the "
+    "mass. The ratios to J hold; {}"
+)
+AGREES = {True: "does not agree with", False: "hardly agrees with"}
+TELLS = {
+    False: "J, and what goes with it, is not told",
+    True: "± of J, and of what goes with it, holds that the distance may be centimetres off",
+}
 IF_SLACK = "{}, where the knee's spring is slack elsewhere than at full extension"
 BY_BOTH = f"{FOOT}, and a clock that may be what encoder and gyro disagree by (clock_uncertainty)"
 BY_ANGLE = (
@@ -33,6 +43,15 @@ def unlike(board: "Board") -> str:
     if not found or not quantities(board):
         return ""
     return UNLIKE.format(found.length, found.expected, found.scatter)
+
+
+def misplaced(board: "Board") -> str:
+    """That what is on it does not hang where it is declared."""
+    found = board.moment and board.moment.misplaced
+    if not found or not quantities(board):
+        return ""
+    told = any(each.name == "inertia" for each in quantities(board))
+    return MISPLACED.format(AGREES[found.strange], found.acts, found.declared, TELLS[told])
 
 
 def allowance(board: "Board") -> str:

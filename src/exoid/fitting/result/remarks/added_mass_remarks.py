@@ -7,6 +7,7 @@ from exoid.fitting.data.movement import Movement
 from exoid.fitting.model.systematics import OF_THE_LOAD, OF_THE_MASS
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.solve.problem import Problem
+from exoid.physics.anatomy.added_mass import UNUSUAL, same_swing
 from exoid.physics.anatomy.expected import STRANGE
 
 UNUSUAL = 2.0  # standard deviations: a mass that reaches beyond 10 cm, or hangs 1 cm elsewhere
@@ -130,13 +131,3 @@ def acting(each: Movement, found: Callable[[str], float]) -> str:
     if swings == at:
         return said
     return f"{said}, if its radius of gyration {by} (at {at} m it would be {extent:.2g} m)"
-
-
-def same_swing(distance: float, square: float, usual: float) -> float:
-    """Where a mass of the `usual` k^2 [m^2] swings as one of this `square` does at a distance [m].
-
-    Beside their weights, motion tells the length of the pendulum that a mass is, L = r + k^2 / r,
-    so that r = (L + sqrt(L^2 - 4 k^2)) / 2, the longer of two.
-    """
-    length = distance + square / distance
-    return (length + sqrt(max(length**2 - 4 * usual, 0.0))) / 2
