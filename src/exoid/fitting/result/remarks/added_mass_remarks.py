@@ -10,7 +10,6 @@ from exoid.fitting.solve.problem import Problem
 from exoid.physics.anatomy.added_mass import UNUSUAL, same_swing
 from exoid.physics.anatomy.expected import STRANGE
 
-UNUSUAL = 2.0  # standard deviations: a mass that reaches beyond 10 cm, or hangs 1 cm elsewhere
 MEASURED = 0.005  # m, to which a distance is measured: no mass hangs elsewhere by less
 AGREES = {True: "does not agree with", False: "hardly agrees with"}
 HELD = (
