@@ -95,12 +95,13 @@ def numbers_at(problem: Problem, point: Coordinates) -> dict[str, float]:
 
 def beyond_belief(problem: Problem, ended: SearchResult, *, explained: bool) -> str | None:
     """Which recording the fit takes for what nobody declares, if it does; where the motion is
-    `explained`, the ratios hold wherever a mass hangs. A clock as loose as many are is none:
-    their errors hold what it does to them.
+    `explained`, the ratios hold wherever a mass hangs. A clock as loose as many are is none, their
+    errors hold what it does to them: there, or where no gyro is that a clock may make up for.
     """
     furthest, why = BEYOND, None
     let_go = any(each.kind == "passive" for each in problem.movements)
     misses = ended.disturbance.cause is not None
+    loose = [] if any_gyro(problem) and not explained else undeclared(problem, "clock")
     for field in problem.owned:
         if field == "zero" and "gravity" in problem.absent:
             continue  # it is where the spring of a rig rests, which may be anywhere
@@ -109,7 +110,7 @@ def beyond_belief(problem: Problem, ended: SearchResult, *, explained: bool) -> 
         values, deviations = getattr(ended.point.mounting, field), problem.deviation_of(field)
         for entry in problem.estimated(field):
             usual = float(deviations[entry])
-            if field == "clock" and entry in undeclared(problem, field):
+            if field == "clock" and entry in loose:
                 usual = max(usual, LOOSE_CLOCK / BEYOND)
             away = abs(float(values[entry])) / usual
             if away > furthest:
@@ -122,6 +123,10 @@ def beyond_belief(problem: Problem, ended: SearchResult, *, explained: bool) -> 
                 if field in OF_THE_MASS:
                     why = of_added_mass(problem, ended, field, entry)
     return why
+
+
+def any_gyro(problem: Problem) -> bool:
+    return any(each.angular_velocity is not None for each in problem.movements)
 
 
 def off(field: str, value: float, usual: float, unit: str | None = None) -> str:
