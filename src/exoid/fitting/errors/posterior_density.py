@@ -23,8 +23,10 @@ from exoid.fitting.model.coordinates import (
     Coordinates,
     Unknowns,
     flattened,
+    layout,
     leg_parameters,
     of_segments,
+    places,
     scaled,
     unflattened,
     unscaled,
@@ -69,14 +71,16 @@ def posed(basis: Basis) -> tuple[Target, np.ndarray]:
     problem, ended = basis.problem, basis.ended
     local = ended.local
     prior, limits = without_fixed(problem.belief)
-    total = local.data + prior_information(ended.point, prior)
+    moving = unknown(problem, ended.point)
+    total = (local.data + prior_information(ended.point, prior))[np.ix_(moving, moving)]
     values, vectors = np.linalg.eigh(total)
     loose = vectors[:, values < UNDETERMINED]
     bounds = (limits.lower, limits.upper, SIZE)
     width = jax.tree.leaves(jax.tree.map(lambda low, high, size: (high - low) / size, *bounds))
-    edges = local.constraints[: len(width)] @ loose / np.array(width)[:, None]
+    edges = local.constraints[: len(width), moving] @ loose / np.array(width)[:, None]
     values, vectors = np.linalg.eigh(total + UNIFORM * loose @ edges.T @ edges @ loose.T)
     kept = values >= UNDETERMINED
+    vectors = np.eye(len(local.data))[:, moving] @ vectors
     shrink, tilt = curved(basis)
     target = Target(
         best=scaled(ended.point),
@@ -92,6 +96,18 @@ def posed(basis: Basis) -> tuple[Target, np.ndarray]:
         seats=seats_of(problem),
     )
     return target, vectors[:, ~kept]
+
+
+def unknown(problem: Problem, point: Coordinates) -> np.ndarray:
+    """The coordinates that are no exact ones of a recording: those never move."""
+    numbers = places(point).mounting
+    exact = [
+        int(getattr(numbers, name)[entry])
+        for name in problem.owned
+        for entry in range(len(problem.recordings))
+        if not problem.estimates(name, entry)
+    ]
+    return np.setdiff1d(np.arange(layout(point).size), exact)
 
 
 def seats_of(problem: Problem) -> np.ndarray:
