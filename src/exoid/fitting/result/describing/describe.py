@@ -10,7 +10,7 @@ from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.agreement import EXPLAINED, astray, believed, over_noise
 from exoid.fitting.result.describing.doubts import doubted
 from exoid.fitting.result.describing.leg import of_leg
-from exoid.fitting.result.describing.notes import notes
+from exoid.fitting.result.describing.notes import LeftOpen, notes
 from exoid.fitting.result.describing.segment import segment_fit
 from exoid.fitting.result.describing.starts import report
 from exoid.fitting.result.estimates.basis import Basis
@@ -78,7 +78,7 @@ def describe(
         basis=basis,
     )
     told, rate, slack = doubted(result, basis, leg, partial(numbers_at, problem))
-    said = notes(told, basis, at_bound, rate, slack, law)
+    said = notes(told, basis, at_bound, LeftOpen(rate, slack, law))
     return with_slack(replace(told, notes=said), slack)
 
 

@@ -1,5 +1,7 @@
 """What the user should know of a fit."""
 
+from dataclasses import dataclass
+
 from exoid.fitting.result.agreement import of_the_rest, of_unlike
 from exoid.fitting.result.estimates.basis import Basis
 from exoid.fitting.result.fit_result import FitResult
@@ -24,36 +26,32 @@ from exoid.fitting.result.systematics.suspicions import suspicions
 WIDENED = "Errors are widened for it: record the leg without it, if that can be."
 
 
-def notes(
-    result: FitResult,
-    basis: Basis,
-    at_bound: set[str],
-    rate: float,
-    slack: Leaning | None,
-    law: DampingLaw | None,
-) -> list[str]:
-    """What the user should know of a fit whose times may be off by a share `rate`, in the words of
-    its leg or rig; of one that does not follow what does not hang on it.
+@dataclass(frozen=True, eq=False)
+class LeftOpen:
+    """What a recording leaves open of a fit."""
+
+    rate: float  # the share by which its times may be off
+    slack: Leaning | None  # for where the knee's spring is slack
+    law: DampingLaw | None  # that damping may follow beside Eq. 9's
+
+
+def notes(result: FitResult, basis: Basis, at_bound: set[str], left: LeftOpen) -> list[str]:
+    """What the user should know of a fit, in the words of its leg or rig; of one that does not
+    follow what does not hang on it.
     """
     problem = basis.problem
     if result.astray is not None:
         shown = shown_slack(problem, basis.ended, basis.information.open)
         said = of_refused(result.astray, basis, shown)
     else:
-        said = of_a_fit(result, basis, at_bound, rate, slack, law)
+        said = of_a_fit(result, basis, at_bound, left)
     return [of_rig(each) for each in said] if problem.belief.rig else said
 
 
-def of_a_fit(
-    result: FitResult,
-    basis: Basis,
-    at_bound: set[str],
-    rate: float,
-    slack: Leaning | None,
-    law: DampingLaw | None,
-) -> list[str]:
+def of_a_fit(result: FitResult, basis: Basis, at_bound: set[str], left: LeftOpen) -> list[str]:
     """What is said of one that follows its recording, the most important first."""
     problem, ended = basis.problem, basis.ended
+    rate, slack = left.rate, left.slack
     known = [*limiting(result), *granted(problem, doubted={"clock"} if rate else set())]
     gravity, times = float(ended.point.shared.gravity), as_told(problem, rate)
     tone = tone_of(result.segments)
@@ -68,7 +66,7 @@ def of_a_fit(
         *of_unlike_drops(result.segments),
         *swung,
         *remarks(problem, ended, at_bound, inertia, swung=bool(swung)),
-        *of_law(law, problem, ended),
+        *of_law(left.law, problem, ended),
         *of_scale(result.parameters, result.segments),
         *of_far_zeros(problem, ended),
         *slack_angle_remarks(slack),
