@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from exoid.fitting.misfit.gram import Grams
 from exoid.fitting.misfit.neighbourhood import prior_information, pull_of_belief
 from exoid.fitting.misfit.uncertainty import decomposed, inverse_times
 from exoid.fitting.model.coordinates import Coordinates, flattened, layout, unflattened
@@ -21,15 +22,21 @@ from exoid.fitting.solve.problem import Problem
 Numbers = Callable[[Coordinates], dict[str, float]]  # of a result, at a point
 
 
+def grams_of(problem: Problem, ended: SearchResult) -> list[Grams]:
+    """The inner products of every segment at the end point, with what torques at nodes do."""
+    return grams_at(problem, ended.best, 0, ["torque"])
+
+
 def answer(
     problem: Problem,
     ended: SearchResult,
     free: np.ndarray,
+    grams: Sequence[Grams],
     shapes: Sequence[np.ndarray | float],
 ) -> tuple[np.ndarray, float, float]:
     """H^-1 A'S for a torque over J that goes through these values at the nodes of every segment
     [rad/s^2]; what the data tell of its size beside the coordinates; and, over that, the size that
-    they show. Nothing holds the coordinates in the `free` directions.
+    they show. Nothing holds the coordinates in the `free` directions; `grams` are `grams_of`.
     """
     scale = ended.disturbance.scale * ended.disturbance.weighing(problem.kinds)
     prior, point = ended.held or problem.belief.prior, ended.point
@@ -37,7 +44,6 @@ def answer(
     known += prior_information(point, prior)
     slope, uphill = np.zeros(len(known)), pull_of_belief(point, prior)
     own = seen = 0.0
-    grams = grams_at(problem, ended.best, 0, ["torque"])
     for each, unit, shape in zip(grams, scale, shapes, strict=True):
         gram = each["torque"]
         pushed = gram.effect @ np.broadcast_to(shape, gram.nodes.shape) / unit

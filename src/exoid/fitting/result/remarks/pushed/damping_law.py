@@ -5,15 +5,16 @@ Dry friction and drag damp a swing as viscous damping does, by less or more of i
 A fit takes each for d; a little is left, as where the sensors are a little noisier.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.fitting.misfit.gram import Grams
 from exoid.fitting.misfit.gram_matrices import JITTER, hats, nodes_of
 from exoid.fitting.model.term_parameters import ratio_unit
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.result.remarks.pushed.answer import answer, beyond_noise
+from exoid.fitting.result.remarks.pushed.answer import answer, beyond_noise, grams_of
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term, name_of
@@ -43,15 +44,23 @@ def damping_law(problem: Problem, ended: SearchResult, free: np.ndarray) -> Damp
     """The law that explains most of what is missed; None where none explains much."""
     if ended.disturbance.cause is None:
         return None
-    having = set(map(name_of, problem.terms))
-    each = [law_of(problem, ended, free, term) for term in LAWS if name_of(term) not in having]
+    having, grams = set(map(name_of, problem.terms)), grams_of(problem, ended)
+    terms = [term for term in LAWS if name_of(term) not in having]
+    each = [law_of(problem, ended, free, grams, term) for term in terms]
     clear = [one for one in each if one.size > CLEAR * one.error and one.share > MOSTLY]
     return max(clear, key=lambda one: one.share, default=None)
 
 
-def law_of(problem: Problem, ended: SearchResult, free: np.ndarray, term: type[Term]) -> DampingLaw:
+def law_of(
+    problem: Problem,
+    ended: SearchResult,
+    free: np.ndarray,
+    grams: Sequence[Grams],
+    term: type[Term],
+) -> DampingLaw:
     """How much of it the recording shows, near the end point of a fit without it."""
-    pull, told, size = answer(problem, ended, free, along_motion(problem, ended, LAWS[term]))
+    shapes = along_motion(problem, ended, LAWS[term])
+    pull, told, size = answer(problem, ended, free, grams, shapes)
     error, size = (told**-0.5, size / told) if told > 0 else (np.inf, 0.0)
     share = size**2 * told * ended.disturbance.scale**2 / beyond_noise(problem, ended)
     return DampingLaw(term, size, error, size * pull, share)

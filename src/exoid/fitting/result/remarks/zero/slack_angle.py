@@ -8,7 +8,13 @@ the parameters with them.
 import numpy as np
 
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.result.remarks.pushed.answer import Numbers, answer, beyond_noise, moved
+from exoid.fitting.result.remarks.pushed.answer import (
+    Numbers,
+    answer,
+    beyond_noise,
+    grams_of,
+    moved,
+)
 from exoid.fitting.result.remarks.zero.leaning import (
     BENT,
     CONSTANT,
@@ -57,7 +63,8 @@ def leaning(
     stiffness, terms = float(ended.point.shared.stiffness), map(name_of, problem.terms)
     if problem.belief.rig or stiffness <= 0 or CONSTANT & set(terms):
         return None
-    pull, left, seen = answer(problem, ended, free, [1.0] * len(problem.kinds))
+    grams, constant = grams_of(problem, ended), [1.0] * len(problem.kinds)
+    pull, left, seen = answer(problem, ended, free, grams, constant)
     spring = float(ended.local.quantities[problem.quantities.index(LEANING[1])] @ pull)
     torque = -stiffness * BENT / max(1 - spring * BENT, 1 / STIFFER)
     error, found = (left**-0.5, seen / left) if left > 0 else (np.inf, 0.0)
