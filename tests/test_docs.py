@@ -42,6 +42,7 @@ PAGES = [
 ]
 FENCE = re.compile(r"^```(?:\{code-block\} )?(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 OPTION = re.compile(r"^:(\w+): (.*)\n", re.MULTILINE)
+LINK = re.compile(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)")  # to a file of the repository
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 SHOWN_WITHIN = 0.1  # relative, of numbers in an answer: errors have two digits
 
@@ -155,6 +156,14 @@ def test_a_page_has_no_block_that_is_passed_over(page):
         assert block.language in {"python", "sh", "toml", "text"}
         if block.language == "sh" and "class" not in block.options:
             assert all(line.startswith("exoid ") for line in block.text.splitlines())
+
+
+def test_links_lead_to_files():
+    root = DOCS.parent
+    pages = [*root.glob("*.md"), *(root / "firmware").glob("*.md"), *DOCS.rglob("*.md")]
+    linked = [(page, each) for page in pages for each in LINK.findall(page.read_text("utf-8"))]
+    assert len(linked) > 100
+    assert [(p.name, each) for p, each in linked if not (p.parent / each).exists()] == []
 
 
 @pytest.mark.parametrize("module", ["exoid", "exoid.online"])
