@@ -57,6 +57,19 @@ def test_an_inertia_asks_for_a_weight(person, first):
     assert found.after < 0.3 * found.before
 
 
+def test_a_weight_near_the_knee_is_asked_for_where_damping_under_a_load_is_not_known(person, told):
+    """At the ankle it says no more of J; there it changes m l g / J by 7 %."""
+    subject = replace(
+        SUBJECT, damping_under_load_uncertainty=None, stiffness_under_load_uncertainty=None
+    )
+    *_, last = (each for each in told if isinstance(each, LegDrop))
+    wish = Wish(replace(person, subject=subject), INERTIA)
+    found = advise(last.beliefs, wish, last.mass, last.moment.time)
+    assert found.movement is not None
+    assert found.movement.mass == Mass(1.0, 0.18)  # half of g / (m l g / J)
+    assert found.after < 0.6 * found.before
+
+
 def test_at_the_end_of_a_stream_what_to_do_next_is_asked_anew_amid_a_movement(person, first):
     coach = Coach(Wish(person))
     company = Company(Leg(person, Load()), coach)

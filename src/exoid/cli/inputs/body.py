@@ -14,6 +14,10 @@ AddedMass = Annotated[float | None, typer.Option(help="On the shank, weighed [kg
 AddedMassDistance = Annotated[
     float | None, typer.Option(help="Of that mass from the knee [m].", metavar="M")
 ]
+AddedMassGyration = Annotated[
+    float | None,
+    typer.Option(help="Its radius of gyration about its own middle [m].", metavar="M"),
+]
 SubjectId = Annotated[
     str | None, typer.Option("--id", help="Who it is, for the sidecar.", metavar="TEXT")
 ]
@@ -27,7 +31,7 @@ QUESTIONS = {
 
 
 def given_body(**options: float | None) -> dict[str, float]:
-    """The options that were given, refused where no body is like that."""
+    """The options that were given, refused where no body is like that, or no mass is on it."""
     from exoid.recordings.declared.check_entries import check_entry
     from exoid.recordings.declared.entry import known
     from exoid.recordings.declared.subject import Subject
@@ -36,6 +40,11 @@ def given_body(**options: float | None) -> dict[str, float]:
     wanted = {name: value for name, value in options.items() if value is not None}
     for name, value in wanted.items():
         check_entry({**declared[name], "key": f"--{name.replace('_', '-')}"}, value, None)
+    of_mass = [name for name in wanted if name.startswith("added_mass_")]
+    if of_mass and "added_mass" not in wanted:
+        raise ValueError(
+            f"--{of_mass[0].replace('_', '-')} is given without --added-mass. Give both."
+        )
     return wanted
 
 
@@ -56,7 +65,7 @@ def ask_body(given: dict[str, float]) -> dict[str, float]:
     for name, question in QUESTIONS.items() if at_terminal() else ():
         needless = name == "added_mass_distance" and not known.get("added_mass")
         if name not in known and not needless:
-            known |= answer(name, question)
+            known |= answer(known, name, question)
     for says in doubted(known):
         say(f"exoid: {says}", err=True)
     return known
@@ -67,7 +76,7 @@ def at_terminal() -> bool:
     return sys.stdin.isatty() and sys.stderr.isatty()
 
 
-def answer(name: str, question: str) -> dict[str, float]:
+def answer(known: dict[str, float], name: str, question: str) -> dict[str, float]:
     while True:
         said = typer.prompt(
             f"{question}, empty if unknown", default="", show_default=False, err=True
@@ -75,6 +84,6 @@ def answer(name: str, question: str) -> dict[str, float]:
         if not said.strip():
             return {}
         try:
-            return given_body(**{name: float(said)})
+            return given_body(**known, **{name: float(said)})
         except ValueError as fault:
             say(f"exoid: {fault}", err=True)

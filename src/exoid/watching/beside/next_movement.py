@@ -5,9 +5,12 @@ believed, and the estimator itself takes them in: what error it has then is what
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import radians
 
+from exoid.physics.anatomy.added_mass import changes_swing_least
+from exoid.physics.anatomy.expected import ExpectedLeg
+from exoid.physics.leg import GRAVITY
 from exoid.watching.beside.goals import Goal
 from exoid.watching.beside.movement import Movement, samples_of
 from exoid.watching.estimate.expect import unloading
@@ -62,11 +65,16 @@ class Wish:
 
 def advise(beliefs: Beliefs, wish: Wish, now: Mass, after: float) -> Advice:
     """What to do after the time `after` [s] of the last sample, with a weight on the leg now."""
-    before = known_of_all(beliefs, wish)
-    found = {
-        each: known_of_all({**beliefs, each.mass: expected_after(each, beliefs, wish, after)}, wish)
-        for each in candidates(beliefs, wish.goals, before, now)
-    }
+    before, model = known_of_all(beliefs, wish), wish.person.model
+    leg = as_known(wish.person.expected, before)
+
+    def known_after(movement: Movement) -> dict[str, Quantity]:
+        mass = movement.mass
+        belief = beliefs[mass] if mass in beliefs else init(expected_with(leg, mass), model)
+        belief, _ = replay(belief, samples_of(movement, belief, model, after), model)
+        return known_of_all({**beliefs, mass: belief}, wish)
+
+    found = {each: known_after(each) for each in candidates(beliefs, wish.goals, before, now)}
     best = min(found, key=lambda each: lacking(found[each], wish.goals)[1])
     left = lacking(found[best], wish.goals)[1]
     name, had = lacking(before, wish.goals)
@@ -84,24 +92,35 @@ def candidates(
     beliefs: Beliefs, goals: Sequence[Goal], known: Errors, now: Mass
 ) -> Iterator[Movement]:
     """Drops with the weight that is on the leg; and with another one where a goal is as large as
-    the inertia, which no drops of one weight tell.
+    the inertia, which no drops of one weight tell: at the ankle, where it changes damping most,
+    and near the knee, where it changes m l g / J most.
     """
     masses = {now: None}
     if any(known[goal.name].unit.startswith(SCALED) for goal in goals):
-        masses |= dict.fromkeys([*beliefs, Mass() if now.weight else Mass(*WEIGHT)])
+        near = near_the_knee(known[RATIOS[0]].value)
+        masses |= dict.fromkeys([*beliefs, Mass() if now.weight else Mass(*WEIGHT), *near])
     for mass in masses:
         for hold in HOLDS:
             yield Movement(hold, mass)
 
 
-def expected_after(movement: Movement, beliefs: Beliefs, wish: Wish, after: float) -> Belief:
-    """What would be believed after it of the leg with that weight."""
-    person, mass = wish.person, movement.mass
-    belief = beliefs.get(mass)
-    if belief is None:
-        belief = init(expected_with(person.expected, mass), person.model)
-    samples = samples_of(movement, belief, person.model, after)
-    return replay(belief, samples, person.model)[0]
+def near_the_knee(gravity: float) -> list[Mass]:
+    """A weight that tells J by G = m l g / J, where damping under a load is not known."""
+    where = round(changes_swing_least(gravity) / 2, 2) if gravity > 0 else 0.0
+    return [Mass(WEIGHT[0], where)] if 0 < where < WEIGHT[1] else []
+
+
+def as_known(expected: ExpectedLeg, known: Errors) -> ExpectedLeg:
+    """The leg as it is known by now, in the place of any that is like this person's."""
+    distance = known["gravity"].value / (expected.mass.value * GRAVITY)
+    return replace(
+        expected,
+        com_distance=replace(expected.com_distance, value=distance),
+        **{
+            name: replace(getattr(expected, name), value=known[name].value)
+            for name in ("inertia", "stiffness", "damping")
+        },
+    )
 
 
 def known_of_all(beliefs: Beliefs, wish: Wish) -> dict[str, Quantity]:
@@ -111,7 +130,7 @@ def known_of_all(beliefs: Beliefs, wish: Wish) -> dict[str, Quantity]:
     first = each.get(Mass(), next(iter(each.values())))
     if not any(mass.weight for mass in beliefs):
         return first
-    before = unloading(person.expected, person.subject, list(beliefs))
+    before = unloading(person.expected, person.subject, beliefs)
     bare = unloaded(before, {mass: told_in(known) for mass, known in each.items()})
     return first | {one.name: one for one in (*bare.ratios, *bare.absolute)}
 

@@ -1,5 +1,6 @@
 """What is expected of a person's leg, as far as the person is known, and of masses on it."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from math import log
 
@@ -26,9 +27,16 @@ ANYWHERE = 0.5  # of the logarithm of a distance that nobody measured
 KNEE = 5.0  # times what a relaxed knee has, where nothing else is known
 LEAST = 1e-9  # a variance may not vanish
 
-# log J, G, c / J, d / J; log of weight and distance off, k^2; c and d under load off, relative
+# log J, G, c / J, d / J; of each mass log of weight and distance off, k^2, and how far off c and d
+# are under it, relative
 Row = Float[np.ndarray, " unknown"]
-OF_MASS, OF_LOAD = slice(4, 7), slice(7, 9)
+OF_LEG, OF_MASS = 4, 5
+PLACE, KNEE_UNDER_IT = slice(0, 3), slice(3, 5)  # of those of a mass
+
+
+def of_mass(number: int) -> slice:
+    """Where a row has what is not known of this one of the masses."""
+    return slice(OF_LEG + OF_MASS * number, OF_LEG + OF_MASS * (number + 1))
 
 
 def expected_of(subject: Subject) -> ExpectedLeg:
@@ -82,51 +90,47 @@ class Unloading:
     prior: Row
     root: Float[np.ndarray, "unknown unknown"]  # of its information: whitens a deviation
     deviation: Row
-    heaviest: Mass  # of those that are put on it
+    masses: tuple[Mass, ...]  # that are put on it, each with errors of its own
     elsewhere: "Unloading | None" = None  # the same of masses that hang centimetres off, if any may
 
 
-def unloading(expected: ExpectedLeg, subject: Subject, masses: list[Mass]) -> Unloading:
+def unloading(expected: ExpectedLeg, subject: Subject, masses: Iterable[Mass]) -> Unloading:
     """Before any drop: the leg by anatomy, the masses as well as they were weighed and placed."""
-    heaviest = max(masses, key=lambda each: each.weight)
+    put_on = tuple(each for each in dict.fromkeys(masses) if each.weight)
     by_tape = subject.added_mass_distance_uncertainty
-    usual = PLACED if by_tape is None else by_tape
-    if not heaviest.placed:
-        return believed(expected, subject, heaviest, ANYWHERE)
-    elsewhere = None
-    if by_tape is None and heaviest.weight:
-        elsewhere = believed(expected, subject, heaviest, MISREAD / heaviest.distance)
-    return believed(expected, subject, heaviest, usual / heaviest.distance, elsewhere)
+    usual = believed(expected, subject, put_on, PLACED if by_tape is None else by_tape)
+    if by_tape is None and any(each.placed for each in put_on):
+        return replace(usual, elsewhere=believed(expected, subject, put_on, MISREAD))
+    return usual
 
 
 def believed(
-    expected: ExpectedLeg,
-    subject: Subject,
-    heaviest: Mass,
-    away: float,
-    elsewhere: Unloading | None = None,
+    expected: ExpectedLeg, subject: Subject, masses: tuple[Mass, ...], by_tape: float
 ) -> Unloading:
-    """With masses whose distances are known to a share `away` of them."""
+    """With masses whose distances are known so well [m], where they are at all."""
     inertia = expected.inertia.value
     gravity = expected.mass.value * expected.com_distance.value * GRAVITY / inertia
     knee = np.array([expected.stiffness.value, expected.damping.value]) / inertia
-    extent, of_mass = known_of_mass(subject, heaviest.weight)
-    prior = np.array([log(inertia), gravity, *knee, 0.0, 0.0, extent, 0.0, 0.0])
-    weighed, spread = of_mass
-    off = [1.0, 1.0, *KNEE * knee, weighed, away, spread, *known_of_load(subject)]
+    each = [known_of_mass(subject, mass, by_tape) for mass in masses]
+    prior = np.array([log(inertia), gravity, *knee, *(mean for one in each for mean, _ in one)])
+    off = [1.0, 1.0, *KNEE * knee, *(spread for one in each for _, spread in one)]
     covariance = np.diag(np.square(np.maximum(off, LEAST)))
     covariance[:2, :2] = of_size(expected, gravity)
     root, deviation = np.linalg.inv(np.linalg.cholesky(covariance)), np.sqrt(np.diag(covariance))
-    return Unloading(prior, root, deviation, heaviest, elsewhere)
+    return Unloading(prior, root, deviation, masses)
 
 
-def known_of_mass(subject: Subject, weight: float) -> tuple[float, tuple[float, float]]:
-    """The expected k^2 [m^2]; how well the weight is known, relative, and that."""
+def known_of_mass(subject: Subject, mass: Mass, by_tape: float) -> tuple[tuple[float, float], ...]:
+    """What is expected of its entries in a row, each with its standard deviation."""
     said, gyration = subject.added_mass_uncertainty, subject.added_mass_gyration
-    weighed = WEIGHED if said is None or not weight else said / weight
+    weighed = WEIGHED if said is None else said / mass.weight
+    away = by_tape / mass.distance if mass.placed else ANYWHERE
     if gyration is None:
-        return GYRATION**2, (weighed, 2**0.5 * GYRATION**2)
-    return gyration**2, (weighed, 2 * MEASURED_GYRATION * gyration**2)
+        extent = GYRATION**2, 2**0.5 * GYRATION**2
+    else:
+        extent = gyration**2, 2 * MEASURED_GYRATION * gyration**2
+    under_it = ((0.0, each) for each in known_of_load(subject))
+    return (0.0, weighed), (0.0, away), extent, *under_it
 
 
 def known_of_load(subject: Subject) -> tuple[float, float]:

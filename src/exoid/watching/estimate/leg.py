@@ -58,7 +58,7 @@ class Leg:
         self.estimators: dict[Mass, Estimator] = {}
         self.now = load.at(0.0)
         self.said = Trust.WAITING  # before the last pause
-        self.before = unloading(person.expected, person.subject, list(load.masses))
+        self.before = unloading(person.expected, person.subject, load.masses)
         self.latest: dict[Mass, Moment] = {}  # of each weight, its last one
         self.changed: float | None = None  # s, since when it is another leg
         self.solved: tuple[dict[Mass, Told], Bare] | None = None  # what they told, and the bare leg

@@ -7,7 +7,8 @@ a drop has
     (c / J)' = (1 + s h) J c / J',       b' = (1 + q h) J b / J',
 
 where h is how much heavier M is than the least of all masses, 1 for the heaviest: a leg that bears
-more is damped, and drawn back, by a little more or less, and c / J and b tell J no surer than that.
+more is damped, and drawn back, by a little more or less, s and q, and c / J and b tell J no surer
+than that. Every mass has its own M, r, k, s and q.
 
 Two weights tell J, and r and k as far as they are not known: a mass that is 5 mm off its place
 would else make J wrong by 6 %. That is why every weight is followed as a leg of its own.
@@ -24,7 +25,7 @@ from exoid.fitting.model.systematics import SELDOM
 from exoid.physics.anatomy.added_mass import UNUSUAL, same_swing
 from exoid.physics.anatomy.expected import STRANGE
 from exoid.physics.leg import GRAVITY
-from exoid.watching.estimate.expect import OF_LOAD, OF_MASS, Row, Unloading
+from exoid.watching.estimate.expect import KNEE_UNDER_IT, OF_MASS, PLACE, Row, Unloading, of_mass
 from exoid.watching.estimate.load import Mass
 from exoid.watching.estimate.moment import Misplaced, Quantity
 
@@ -114,7 +115,8 @@ def residual(
         values, errors = [*one.ratios], [*one.errors]
         if one.inertia is not None:
             values, errors = [*values, one.inertia[0]], [*errors, one.inertia[1]]
-        shown, slope = with_mass(row, mass, heavier(mass, told))
+        own = of_mass(before.masses.index(mass)) if mass.weight else None
+        shown, slope = with_mass(row, mass, own, heavier(mass, told))
         size, scale = len(values), np.array(errors)
         off.append((shown[:size] - np.array(values)) / scale)
         slopes.append(slope[:size] / scale[:, None])
@@ -128,26 +130,30 @@ def heavier(mass: Mass, told: Iterable[Mass]) -> float:
 
 
 def with_mass(
-    row: Row, mass: Mass, heavier: float
+    row: Row, mass: Mass, own: slice | None, heavier: float
 ) -> tuple[Float[np.ndarray, "4"], Float[np.ndarray, "4 unknown"]]:
-    """The ratios of the loaded leg and its J, and their slopes in the row."""
-    added, farther, extent = row[OF_MASS].tolist()
+    """The ratios of the loaded leg and its J, and their slopes in the row, which has of the mass
+    what is `own`.
+    """
+    entries = np.zeros(OF_MASS) if own is None else row[own]
+    added, farther, extent = entries[PLACE].tolist()
     inertia, weight = exp(row[0]), mass.weight * exp(added)
     distance = mass.distance * exp(farther)
     moment, spread = weight * GRAVITY * distance, weight * distance**2
     loaded = inertia + spread + weight * extent
-    more = np.concatenate([[1.0], 1 + heavier * row[OF_LOAD]])
+    more = np.concatenate([[1.0], 1 + heavier * entries[KNEE_UNDER_IT]])
     bare = inertia * row[1:4] * more
-    own = (bare + np.array([moment, 0.0, 0.0])) / loaded
-    of_own, of_loaded = np.zeros((3, row.size)), np.zeros(row.size)
-    of_own[:, 0] = bare
-    of_own[:, 1:4] = inertia * np.diag(more)
-    of_own[0, OF_MASS] = moment, moment, 0.0
-    of_own[1:, OF_LOAD] = heavier * inertia * np.diag(row[2:4])
+    shown = (bare + np.array([moment, 0.0, 0.0])) / loaded
+    of_shown, of_loaded = np.zeros((3, row.size)), np.zeros(row.size)
+    of_shown[:, 0] = bare
+    of_shown[:, 1:4] = inertia * np.diag(more)
     of_loaded[0] = inertia
-    of_loaded[OF_MASS] = spread + weight * extent, 2 * spread, weight
-    slopes = (of_own - np.outer(own, of_loaded)) / loaded
-    return np.append(own, loaded), np.concatenate([slopes, of_loaded[None]])
+    if own is not None:
+        of_shown[0, own][PLACE] = moment, moment, 0.0
+        of_shown[1:, own][:, KNEE_UNDER_IT] = heavier * inertia * np.diag(row[2:4])
+        of_loaded[own][PLACE] = spread + weight * extent, 2 * spread, weight
+    slopes = (of_shown - np.outer(shown, of_loaded)) / loaded
+    return np.append(shown, loaded), np.concatenate([slopes, of_loaded[None]])
 
 
 def read(found: Solved, covariance: np.ndarray, before: Unloading) -> Bare:
@@ -163,15 +169,28 @@ def read(found: Solved, covariance: np.ndarray, before: Unloading) -> Bare:
         absolute.append(Quantity(name, value, float(np.sqrt(slope @ covariance @ slope)), unit))
     narrowed = float(errors[0] / before.deviation[0]) if before.deviation[0] > 0 else inf
     told = tuple(Quantity(*each) for each in ratios)
+    return Bare(
+        told, tuple(absolute), narrowed, row, found.apart, max(astray(before, row), default=0.0)
+    )
+
+
+def astray(before: Unloading, row: Row) -> list[float]:
+    """By how many standard deviations each of the masses is not as declared."""
     away = (row - before.prior) / before.deviation
-    return Bare(told, tuple(absolute), narrowed, row, found.apart, hypot(*away[OF_MASS].tolist()))
+    return [hypot(*away[of_mass(at)][PLACE].tolist()) for at in range(len(before.masses))]
 
 
 def misplaced_by(before: Unloading, bare: Bare) -> Misplaced | None:
-    """Where the heaviest mass swings as if it hung, where that is hardly where it is declared."""
-    if not before.heaviest.placed or bare.misplaced <= UNUSUAL:
+    """Where a mass swings as if it hung, where that is hardly where it is declared: the one that
+    is farthest from it, as it is known.
+    """
+    if bare.misplaced <= UNUSUAL:
         return None
-    _, farther, extent = bare.row[OF_MASS].tolist()
-    distance, usual = before.heaviest.distance, float(before.prior[OF_MASS][-1])
-    acts = same_swing(distance * exp(farther), max(extent, 0.0), usual)
-    return Misplaced(distance, acts, bare.misplaced > STRANGE)
+    number = int(np.argmax(astray(before, bare.row)))
+    mass, own = before.masses[number], of_mass(number)
+    if not mass.placed:
+        return None
+    _, farther, extent = bare.row[own][PLACE].tolist()
+    usual = float(before.prior[own][PLACE][-1])
+    acts = same_swing(mass.distance * exp(farther), max(extent, 0.0), usual)
+    return Misplaced(mass.distance, acts, bare.misplaced > STRANGE)

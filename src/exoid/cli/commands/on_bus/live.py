@@ -7,7 +7,14 @@ from typing import Annotated
 import typer
 
 from exoid.cli.analysis import prepare
-from exoid.cli.inputs.body import AddedMass, AddedMassDistance, SubjectId, ask_body, given_body
+from exoid.cli.inputs.body import (
+    AddedMass,
+    AddedMassDistance,
+    AddedMassGyration,
+    SubjectId,
+    ask_body,
+    given_body,
+)
 from exoid.cli.inputs.choices import FlipOption, Side, ZeroOption
 from exoid.cli.inputs.node import BITRATE, INTERFACE, Bitrate, Duration, Interface, Marking, OneOf
 from exoid.cli.inputs.reading import Columns, Dbc, Signals
@@ -62,6 +69,7 @@ def live(
     height: Annotated[Number, typer.Option(help="For what is expected [m].", metavar="M")] = None,
     added_mass: AddedMass = None,
     added_mass_distance: AddedMassDistance = None,
+    added_mass_gyration: AddedMassGyration = None,
     subject_id: SubjectId = None,
     side: Annotated[Side | None, typer.Option(help="Which leg, for the sidecar.")] = None,
     json_lines: Annotated[
@@ -134,9 +142,8 @@ def live(
         height=height,
         added_mass=added_mass,
         added_mass_distance=added_mass_distance,
+        added_mass_gyration=added_mass_gyration,
     )
-    if added_mass_distance is not None and added_mass is None:
-        raise ValueError("--added-mass-distance is given without --added-mass. Give both.")
     terms_wanted = followed_terms(terms_asked(with_term, own_terms(terms)))
     goals = goals_asked(until, terms_wanted)
     from exoid.cli.live.viewing import Views

@@ -6,7 +6,14 @@ from typing import Annotated
 
 import typer
 
-from exoid.cli.inputs.body import AddedMass, AddedMassDistance, SubjectId, ask_body, given_body
+from exoid.cli.inputs.body import (
+    AddedMass,
+    AddedMassDistance,
+    AddedMassGyration,
+    SubjectId,
+    ask_body,
+    given_body,
+)
 from exoid.cli.inputs.choices import Side
 from exoid.cli.inputs.node import BITRATE, INTERFACE, Bitrate, Duration, Interface, Marking, OneOf
 from exoid.cli.outputs.destination import Force, check_absent, check_destination
@@ -31,6 +38,7 @@ def record(
     height: Annotated[Number, typer.Option(help="For the sidecar [m].", metavar="M")] = None,
     added_mass: AddedMass = None,
     added_mass_distance: AddedMassDistance = None,
+    added_mass_gyration: AddedMassGyration = None,
     subject_id: SubjectId = None,
     side: Annotated[Side | None, typer.Option(help="Which leg, for the sidecar.")] = None,
     visit: Annotated[
@@ -68,9 +76,8 @@ def record(
         height=height,
         added_mass=added_mass,
         added_mass_distance=added_mass_distance,
+        added_mass_gyration=added_mass_gyration,
     )
-    if added_mass_distance is not None and added_mass is None:
-        raise ValueError("--added-mass-distance is given without --added-mass. Give both.")
     subject = Subject(id=subject_id, side=side, session=visit, notes=note)
     subject = replace(subject, **ask_body(body))
     from exoid.cli.live.ending import conclude

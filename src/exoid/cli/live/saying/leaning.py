@@ -4,6 +4,7 @@ from math import isfinite
 from typing import TYPE_CHECKING
 
 from exoid.cli.live.saying.words import MOVING, quantities, title
+from exoid.fitting.model.systematics import DAMPING_UNDER_LOAD, STIFFNESS_UNDER_LOAD
 
 if TYPE_CHECKING:
     from exoid.watching.board import Board
@@ -30,6 +31,11 @@ TELLS = {
     True: "± of J, and of what goes with it, holds that the distance may be centimetres off",
 }
 IF_SLACK = "{}, where the knee's spring is slack elsewhere than at full extension"
+UNDER_LOAD = (
+    ", and how much damping and stiffness change under the added mass, "
+    f"{100 * DAMPING_UNDER_LOAD:.0f} and {100 * STIFFNESS_UNDER_LOAD:.0f} % where no "
+    "damping_under_load_uncertainty or stiffness_under_load_uncertainty says more"
+)
 BY_BOTH = f"{FOOT}, and a clock that may be what encoder and gyro disagree by (clock_uncertainty)"
 BY_ANGLE = (
     f"{FOOT}; it takes times as true to 0.01 %, where no clock_uncertainty says more: a camera's "
@@ -59,7 +65,8 @@ def allowance(board: "Board") -> str:
     if not (quantities(board) and board.ended):
         return ""
     turning = any(isfinite(each.angular_velocity) for each in board.history)
-    return BY_BOTH if turning else BY_ANGLE
+    of_drops = BY_BOTH if turning else BY_ANGLE
+    return f"{of_drops}{UNDER_LOAD}" if any(each.weight for each in board.ended) else of_drops
 
 
 def open_if_slack(board: "Board") -> str:

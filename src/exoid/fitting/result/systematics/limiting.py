@@ -9,7 +9,7 @@ from exoid.fitting.result.chief import WORDS, chief
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks.anatomy_remarks import SWING
 from exoid.fitting.solve.problem import Problem
-from exoid.physics.leg import GRAVITY
+from exoid.physics.anatomy.added_mass import changes_swing_least
 
 TAPE = 5e-4  # m, to which a tape's millimetres are read
 DECLARED_AS = {  # by `Systematics`, where it has another name there
@@ -66,15 +66,11 @@ def what_to_do(name: str, result: FitResult) -> str:
 
 
 def weighed_by_gravity(name: str, result: FitResult) -> str:
-    """What tells J though d and c change under a load: how a mass m_a at r changes G = m l g / J.
-
-    By m_a r (G r - g) / (J + m_a r^2), which is nothing at r = g / G, where the mass swings by
-    itself as fast as the leg, and m_a r (G r - g) is most between there and the knee at g / 2 G.
-    """
+    """What tells J though d and c change under a load: how a mass changes m l g / J."""
     gravity, declare = result.ratios[SWING].value, f"give {name}_uncertainty where it is known"
     if not gravity or gravity < 0:
         return f"drop it with a heavier mass; {declare}"
-    where = GRAVITY / gravity
+    where = changes_swing_least(gravity)
     return (
         f"drop it with a heavy and compact mass, its added_mass_gyration_m given, about "
         f"{where / 2:.2f} m from the axis, where it changes m l g / J most, by which J is told "
