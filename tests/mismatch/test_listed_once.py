@@ -7,15 +7,17 @@ import pytest
 from found_by_hand import SAMPLES, explaining, found_of
 
 from exoid.cli.inputs.terms import rivals_in
+from exoid.fitting.result.remarks.rig_words import of_rig
 from exoid.mismatch import prepare
 from exoid.mismatch.answer.diagnosis import Suspect
 from exoid.mismatch.conclude.asserted import equivalents
 from exoid.mismatch.conclude.rivals import advice
 from exoid.mismatch.conclude.verdict.undecided import undecided
 from exoid.mismatch.evidence.yardstick import Yardstick
-from exoid.mismatch.novel.nameless import NAMELESS
+from exoid.mismatch.novel.nameless import NAMELESS, DampingByDirection
 from exoid.mismatch.search import search
 from exoid.mismatch.search.found import best_of
+from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.device.hard_stop import HardStop
 from exoid.physics.terms.device.shaped_hysteresis import ShapedHysteresis
@@ -95,7 +97,7 @@ def test_nothing_is_to_be_recorded_to_tell_what_pushes_alike_from_each_other():
 def test_an_axis_whose_torque_is_known_is_asked_for_no_drop():
     """What frees or relaxes a leg does nothing to a motor's axis."""
     each = [explaining(1000.0, term) for term in (CoulombFriction, QuadraticDrag, ShapedHysteresis)]
-    said = advice(each, "cannot_tell", None, segments=3, driven=True)
+    said = advice(each, "cannot_tell", None, segments=3, moved="motor")
     assert said[0].endswith(f"{CoulombFriction.isolate_driven}.")
     assert said[2].endswith(f"{ShapedHysteresis.isolate}.")  # slow reversals are the same of both
     for term in (*prepare.tested(rig=True), *NAMELESS):
@@ -104,6 +106,20 @@ def test_an_axis_whose_torque_is_known_is_asked_for_no_drop():
             assert not re.search("drop|thigh|EMG|relax|shin|muscle", asked), term
     assert advice(each[:1], "cannot_tell", None, segments=3)[0].endswith(
         f"{CoulombFriction.isolate}."
+    )
+
+
+def test_a_rig_is_asked_for_nothing_that_a_person_does():
+    """It was told to have EMG taken and to relax, and electrodes on its muscles."""
+    each = [explaining(1000.0, term) for term in (StiffnessRestAngle, DampingByDirection, Backlash)]
+    said = advice(each, "cannot_tell", None, segments=3, moved="rig")
+    assert said[1].endswith(f"{DampingByDirection.isolate_rig}.")
+    for term in (*prepare.tested(rig=True), *NAMELESS):
+        if not (term.living or term.voluntary):
+            asked = of_rig(term.isolated_by("rig"))
+            assert not re.search("thigh|EMG|relax|shin|muscle|announced|leg", asked), term
+    assert advice([each[1]], "cannot_tell", None, segments=3)[0].endswith(
+        f"{DampingByDirection.isolate}."
     )
 
 

@@ -41,6 +41,8 @@ def test_a_torque_of_each_segments_own_is_told_from_what_comes_back_in_all(level
     each = [replace(missing("", OWN), torque=swing + own) for own in (0.0, level, -level)]
     location = Location(each, [], 0.05, 0.05, by_segment=between(each))
     assert ("within each segment" in location.pattern) is says
+    assert ("muscle" in location.pattern) is says
+    assert "muscle" not in replace(location, rig=True).pattern
 
 
 @pytest.mark.parametrize(("swing", "explains"), [(0.1, True), (0.5, False)])

@@ -14,6 +14,7 @@ from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.remarks.remarks import ASK_DIAGNOSE
 from exoid.mismatch.answer.diagnosis import Booked, Finding, NovelTorque, Parameter, Suspect
+from exoid.mismatch.answer.own_words import in_own_words
 from exoid.mismatch.novel.nameless import FadingTorque
 from exoid.mismatch.sensors.agreement import OwnValue, SensorError
 from exoid.physics.sensing.clock_rate import ClockRate
@@ -189,6 +190,21 @@ def test_where_no_model_follows_it_is_said_that_the_leg_has_no_numbers():
     astray = replace(one.before, astray="it misses the angle")
     assert "not to be used" in sentences(replace(one, after=astray))["The leg"]
     assert "The leg" not in sentences(replace(one, after=one.before))
+    rig = replace(one, after=astray, location=replace(one.location, rig=True))
+    assert "not to be used" in sentences(rig)["The rig"]
+
+
+def test_what_is_said_of_a_rig_is_said_of_no_leg():
+    """A servo with a bar was told of its leg, its muscles and how to relax them."""
+    one = found()
+    said = replace(one.findings[0], explanation="A leg that was held resists.")
+    one = replace(one, findings=[said], reasons=["the leg moves"], advice=["Hold the hanging leg."])
+    assert in_own_words(one) is one
+    own = in_own_words(replace(one, location=replace(one.location, rig=True)))
+    words = " ".join(sentences(own).values())
+    assert "A rig that was held resists." in words
+    assert (own.reasons, own.advice) == (["the rig moves"], ["Hold the hanging rig."])
+    assert "the hanging rig" in words
 
 
 def test_what_was_missing_and_how_sure_what_it_changed_and_what_remains_come_first():

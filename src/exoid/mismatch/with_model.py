@@ -17,6 +17,7 @@ from exoid.fitting.result.systematics.limiting import limited_anew
 from exoid.fitting.result.untold import if_times_right
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter, just_made
 from exoid.mismatch.answer.over_inertia import doubt_of, times_inertia
+from exoid.mismatch.answer.own_words import in_own_words
 from exoid.mismatch.conclude.asserted import same_cause
 from exoid.mismatch.conclude.rivals import (
     advice,
@@ -49,12 +50,22 @@ def with_model(
     options: dict[str, Any],
     told: Callable[[str], None],
 ) -> Diagnosis:
-    """The same, with the fit of the model that has what was found.
+    """The same, with the fit of the model that has what was found, in words of the leg or rig.
 
     It begins where the search for what is missing ended. Where none can begin, or it does not
     follow the recording, the baseline stays the only one; where that does not follow either, what
     was found is not claimed.
     """
+    return in_own_words(modelled(found, named, options, told))
+
+
+def modelled(
+    found: Diagnosis,
+    named: list[tuple[str, Recording]],
+    options: dict[str, Any],
+    told: Callable[[str], None],
+) -> Diagnosis:
+    """The same in words of a leg."""
     work = just_made(found)
     wanted = extended(found, work.best.candidate)
     if not wanted:
@@ -102,7 +113,7 @@ def unclaimed(found: Diagnosis, reasons: list[str]) -> Diagnosis:
     nothing: dict[str, Any] = {"findings": [], "novel": False, "formula": None}
     suspected = suspects(own, each, best)
     prepared = own.prepared
-    then = advice(each[:2], "cannot_tell", None, prepared.segments, driven=prepared.driven)
+    then = advice(each[:2], "cannot_tell", None, prepared.segments, moved=prepared.moved)
     then = with_threshold(then, prepared, each[:2])
     more: dict[str, Any] = {"suspected": suspected, "advice": then}
     return replace(found, verdict="cannot_tell", reasons=reasons, **nothing, **more)
@@ -139,6 +150,8 @@ def lost(found: Diagnosis) -> Diagnosis:
     why = f"no model here follows the recording: {found.before.astray}"
     if not any(each.kind == "passive" for each in found.before.segments):
         return replace(found, reasons=[why, *found.reasons])
+    if found.location.rig:
+        return replace(found, reasons=[why, *found.reasons], advice=[ALONE])
     why += (
         ". A stretch reflex (spasticity) that differs from drop to drop, a hand that leads the leg "
         "or stops it, and what it strikes are in no model"

@@ -3,7 +3,7 @@
 from abc import abstractmethod
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Literal
 
 import equinox as eqx
 import jax
@@ -12,6 +12,7 @@ from jaxtyping import Array, Float
 
 from exoid.physics.moment import Moment
 
+Moved = Literal["leg", "rig", "motor"]  # what moves: a leg, a rig by itself, an axis by its motor
 BUSY = 6  # steps within a step, from which on running takes longer than compiling
 Memory = Float[Array, " memory"]
 Scalar = Float[Array, ""]
@@ -50,6 +51,7 @@ class Term(eqx.Module):
     isolate: eqx.AbstractClassVar[str]  # the recording that would show it apart from others
 
     isolate_driven: ClassVar[str] = ""  # the recording of an axis whose torque is known, if another
+    isolate_rig: ClassVar[str] = ""  # the recording of a rig that swings by itself, if another
     remark: ClassVar[str] = ""  # what to know of its numbers
     twin: ClassVar[str] = ""  # what looks the same in every recording
     named_only: ClassVar[bool] = False  # need no search try it by itself: a twin, or a finer form
@@ -71,6 +73,12 @@ class Term(eqx.Module):
     # What legs really do may follow another law: by how much a number of another term is off then.
     law_of: ClassVar[Mapping[str, float]] = MappingProxyType({})
     replaces: ClassVar[str] = ""  # what a fit estimates of every recording and the term is itself
+
+    @classmethod
+    def isolated_by(cls, moved: Moved) -> str:
+        """The recording that would show it apart from others."""
+        own = {"leg": "", "rig": cls.isolate_rig, "motor": cls.isolate_driven}
+        return own[moved] or cls.isolate
 
     @staticmethod
     def as_twin(size: Any) -> Any:

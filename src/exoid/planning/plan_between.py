@@ -8,7 +8,7 @@ import numpy as np
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.ask import sensed
 from exoid.mismatch.evidence.yardstick import UNEXPLAINED
-from exoid.physics.term import Term, name_of, of_alike, pushing_alike
+from exoid.physics.term import Moved, Term, name_of, of_alike, pushing_alike
 from exoid.planning.candidate_recordings import candidates, drops_of_rig, moving
 from exoid.planning.expected_information import posed
 from exoid.planning.expected_odds import RivalFit, probability, rival_fit
@@ -92,7 +92,7 @@ def check_let_go(
     """
     if subject.kind != "rig" or {*kinds} != {"measured"}:
         return
-    shown = (f"{name_of(each)} shows in {each.isolate_driven or each.isolate}" for each in terms)
+    shown = (f"{name_of(each)} shows in {each.isolated_by('motor')}" for each in terms)
     raise ValueError(
         "what is planned are drops, and a motor drives this rig in every segment. "
         f"Of its movements: {'; '.join(shown)}."
@@ -181,7 +181,8 @@ def advice(
             f"by log odds of {-second:.1f}."
         )
     if helpless:
-        said.extend(of_helpless([type(term) for each in known for term in each.terms]))
+        terms = [type(term) for each in known for term in each.terms]
+        said.extend(of_helpless(terms, "rig" if known[0].belief.rig else "leg"))
     said.extend(
         of_strays([name for name, each in zip(names, fits, strict=True) if not each.follows])
     )
@@ -193,14 +194,14 @@ def advice(
     return said
 
 
-def of_helpless(terms: list[type[Term]]) -> list[str]:
+def of_helpless(terms: list[type[Term]], moved: Moved = "leg") -> list[str]:
     """That no candidate tells them apart, and what might."""
     alike = pushing_alike(terms)
     others = [term for term in dict.fromkeys(terms) if term not in alike]
     said = [of_alike(alike)] if alike else []
     if others or not alike:
         said.append("no recording of this kind tells them apart; what might is said below.")
-    return [*said, *(f"{name_of(term)} shows in {term.isolate}." for term in others)]
+    return [*said, *(f"{name_of(term)} shows in {term.isolated_by(moved)}." for term in others)]
 
 
 def of_strays(names: list[str]) -> list[str]:

@@ -16,7 +16,7 @@ from exoid.mismatch.evidence.yardstick import APART, REFUTED
 from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, Workings, names, words
-from exoid.physics.term import of_alike, pushing_alike
+from exoid.physics.term import Moved, of_alike, pushing_alike
 
 FELT = 2.0  # standard errors by which a cause that is hardly seen must move a number
 LARGE = 0.1  # share of the variance, from which on a cause is worth a word
@@ -195,11 +195,9 @@ def advice(
     formula: Formula | None,
     segments: int,
     *,
-    driven: bool = False,
+    moved: Moved = "leg",
 ) -> list[str]:
-    """What to record next, to tell `rivals` apart, beside so many segments, `driven` by a torque
-    that was measured or not.
-    """
+    """What to record next, to tell `rivals` apart, beside so many segments of what `moved`."""
     if verdict == "none":
         return []
     more = [] if segments >= REPEATED else [REPEAT]
@@ -211,7 +209,7 @@ def advice(
     alike = pushing_alike(list(terms))
     said = [of_alike(alike)] if alike else []
     said += [
-        f"To tell {term.title} apart: {(driven and term.isolate_driven) or term.isolate}."
+        f"To tell {term.title} apart: {term.isolated_by(moved)}."
         for term in terms
         if term not in alike
     ]

@@ -56,7 +56,7 @@ def locate(prepared: PreparedRecording, base: Hypothesis, best: Optimum) -> Loca
     angle, speed, torque = map(np.concatenate, zip(*rows, strict=True))
     inertia = float(np.exp(prepared.coordinates(base).shared.log_inertia))
     shares = explained(angle, torque), explained(speed, torque)
-    return Location(missing, regions[:MOST], *shares, inertia, between(missing))
+    return Location(missing, regions[:MOST], *shares, inertia, between(missing), prepared.rig)
 
 
 def lacking(

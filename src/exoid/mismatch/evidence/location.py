@@ -61,6 +61,7 @@ class Location:
     by_speed: Annotated[float, "1"]  # that speed and direction alone explain
     inertia: Annotated[float | None, "kg m^2"] = None  # of the leg, with which the torques grow
     by_segment: Annotated[float, "1"] = 0.0  # that a torque of its own in each segment explains
+    rig: bool = False  # and no leg
 
     def with_inertia(self, inertia: float) -> "Location":
         """The same of a leg with another inertia: J (phi'' - Eq. 9) grows with it, but for what a
@@ -79,10 +80,11 @@ class Location:
         """In one sentence."""
         angle, speed = f"{self.by_angle:.0%}", f"{self.by_speed:.0%}"
         if self.by_segment > max(ALONE, self.by_angle + APART, self.by_speed + APART):
+            why = "" if self.rig else "a muscle that was not relaxed alike, a seat or "
             return (
                 "it stays the same within each segment, and differs between them "
-                f"({self.by_segment:.0%} of its variance; angle {angle}, speed {speed}): a muscle "
-                "that was not relaxed alike, a seat or a zero that moved"
+                f"({self.by_segment:.0%} of its variance; angle {angle}, speed {speed}): "
+                f"{why}a zero that moved"
             )
         if max(self.by_angle, self.by_speed) < ALONE:
             return f"neither angle ({angle} of its variance) nor speed ({speed}) alone explains it"

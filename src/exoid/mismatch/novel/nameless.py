@@ -27,6 +27,7 @@ class DampingByAngle(PhysicsTerm):
     reference = "assumed: the first power of the angle"
     explanation = "The leg is damped more at one end of its range than at the other."
     isolate = "small swings about several angles, by added masses or another tilt of the thigh"
+    isolate_rig = "small swings about several angles, by added masses or another tilt of the base"
     isolate_driven = "slow and fast movements about several angles"
 
     by_angle: Parameter = parameter("k", "N m s/rad^2", -2.0, 2.0, "damping per angle", (0.0,))
@@ -42,6 +43,7 @@ class DampingFromTheMiddle(PhysicsTerm):
     reference = "assumed: the second power of the angle"
     explanation = "The leg is damped otherwise about where it hangs than at the ends of its swings."
     isolate = DampingByAngle.isolate
+    isolate_rig = DampingByAngle.isolate_rig
     isolate_driven = DampingByAngle.isolate_driven
 
     outward: Parameter = parameter("k", "N m s/rad^3", -5.0, 5.0, "damping outwards", (0.0,))
@@ -58,6 +60,7 @@ class DampingByDirection(PhysicsTerm):
     reference = "assumed: two coefficients, one for each direction"
     explanation = "Flexion is damped more, or less, than extension."
     isolate = "drops with surface electrodes on the muscles, which tell of one that is at work"
+    isolate_rig = "drops from either side of where the rig hangs, from large and small angles"
     isolate_driven = "constant speeds, slow and fast, both ways"
 
     by_direction: Parameter = parameter("k", "N m s/rad", -1.0, 1.0, "half the difference", (0.0,))
@@ -104,7 +107,7 @@ class FadingFriction(PhysicsTerm):
 
     title = "friction that fades after the release"
     reference = FadingDamping.reference
-    explanation = "Muscles that were held still resist at first, however slowly they are moved."
+    explanation = "What was held still resists at first, however slowly it is moved."
     isolate = FadingDamping.isolate
     isolate_driven = FadingDamping.isolate_driven
 
@@ -122,8 +125,9 @@ class FadingTorque(PhysicsTerm):
 
     title = "a torque that fades after the release"
     reference = "assumed: a muscle that lets go as a first-order system does"
-    explanation = "A muscle lets go only after the leg was released."
+    explanation = "A muscle, or what held the leg, lets go only after the release."
     isolate = "drops that are announced and drops that are not"
+    isolate_rig = "drops after a hold of a second, and after one of a minute"
     isolate_driven = "the motor holding still, straight after it was switched on and later"
 
     fading_torque: Parameter = parameter("k", "N m", -100.0, 100.0, "at the begin", (0.0,))

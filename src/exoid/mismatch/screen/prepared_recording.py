@@ -29,7 +29,7 @@ from exoid.mismatch.sensors.agreement import Consistency
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.scale import AS_A_LEG, Scale, ranged
 from exoid.physics.sensing.angle_offset import AngleOffset
-from exoid.physics.term import Term, name_of
+from exoid.physics.term import Moved, Term, name_of
 
 OUTERMOST = 3.0  # standard deviations of a seat's tilt: one that is farther off is a cause
 SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
@@ -100,6 +100,11 @@ class PreparedRecording:
     def driven(self) -> bool:
         """Was the torque of every segment measured?"""
         return all_driven(self.problem.movements)
+
+    @property
+    def moved(self) -> Moved:
+        """What moves in it, for words on what to record."""
+        return "motor" if self.driven else "rig" if self.rig else "leg"
 
     @cached_property
     def places(self) -> np.ndarray:

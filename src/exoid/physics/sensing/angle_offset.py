@@ -15,6 +15,7 @@ class AngleOffset(SensorTerm):
         "exoskeleton put on askew, or the thigh was not level."
     )
     isolate = "the accelerometer at rest, or the hanging leg against a plumb line"
+    isolate_rig = isolate_driven = "the rig at rest, by a plumb line or a spirit level"
     replaces = "zero"
     opposite = "stiffness_rest_angle"  # together a tilted thigh
 

@@ -15,6 +15,7 @@ class EncoderGain(SensorTerm):
         "too large or too small."
     )
     isolate = "the exoskeleton turned by a known right angle"
+    isolate_rig = isolate_driven = "the axis turned by a known right angle"
 
     gain: Parameter = parameter("g", "1", -0.2, 0.2, "gain error", (0.01,))
 

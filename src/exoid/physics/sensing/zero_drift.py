@@ -18,7 +18,7 @@ class ZeroDrift(SensorTerm):
         "what its gyro is off by."
     )
     isolate = "the leg straight, or hanging still, before and after the movement"
-    isolate_driven = "the axis at the same mark, before and after the movement"
+    isolate_rig = isolate_driven = "the axis at the same mark, before and after the movement"
 
     moves_zero = True
 

@@ -2,7 +2,7 @@
 
 import re
 
-LEG = re.compile(r"\b(the|The|a|A|this|no) leg\b")
+LEG = re.compile(r"\b(the|The|a|A|this|no|any)( bare| hanging)? leg\b")
 
 
 def of_rig(sentence: str) -> str:
@@ -11,4 +11,4 @@ def of_rig(sentence: str) -> str:
     >>> of_rig("the recording begins as the leg is let go")
     'the recording begins as the rig is let go'
     """
-    return LEG.sub(r"\1 rig", sentence)
+    return LEG.sub(r"\1\2 rig", sentence)

@@ -118,7 +118,7 @@ def advised(
     prepared = found.prepared
     if too_little(prepared):
         return []
-    said = advice(rivals, verdict, formula, prepared.segments, driven=prepared.driven)
+    said = advice(rivals, verdict, formula, prepared.segments, moved=prepared.moved)
     return with_threshold(said, prepared, rivals)
 
 

@@ -31,6 +31,7 @@ class Backlash(PhysicsTerm):
         "sensors moves by its own weight until they meet again."
     )
     isolate = "the leg held, the frame moved by hand through its play"
+    isolate_rig = "the frame held, the rig moved by hand through its play"
     isolate_driven = "the motor held, the axis moved by hand through its play"
     memory_size = 3
     jumps = True

@@ -23,6 +23,7 @@ class StickingBacklash(PhysicsTerm):
         "turn the leg moves for a moment before they do."
     )
     isolate = Backlash.isolate
+    isolate_rig = Backlash.isolate_rig
     isolate_driven = Backlash.isolate_driven
     memory_size = 1
     jumps = True

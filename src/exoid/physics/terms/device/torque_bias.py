@@ -18,6 +18,7 @@ class TorqueBias(PhysicsTerm):
         "A steady torque acts all the time: muscles that do not relax, a rubber band, a cable."
     )
     isolate = "EMG, or drops after the instruction to relax; a known added mass"
+    isolate_rig = "the hanging angle without and with a known added mass"
     isolate_driven = "slow movements both ways, and where the axis rests with the motor off"
 
     same_torque = "stiffness_rest_angle"

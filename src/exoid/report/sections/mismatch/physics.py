@@ -29,6 +29,7 @@ SAID = (
     "Note",
     "Suspected",
     "The leg",
+    "The rig",
     "Sensors",
     "Trust",
 )  # others have their place

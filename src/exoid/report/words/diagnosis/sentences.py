@@ -4,6 +4,7 @@ from dataclasses import replace
 from math import hypot
 
 from exoid.fitting.result.remarks.noise_remarks import of_play, times_off
+from exoid.fitting.result.remarks.rig_words import of_rig
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.answer.over_inertia import OVER, guessed
 from exoid.mismatch.sensors.agreement import OwnValue, SensorError
@@ -48,13 +49,19 @@ def sentences(found: Diagnosis) -> dict[str, str]:
             lines["Remains"] = remains(found)
     if parted(found):
         lines["Where"] = where(found)
-    lines["The leg"] = " ".join(doubted(found))
+    lines[whose(found)] = " ".join(doubted(found))
     lines["Sensors"] = sensors(found)
     if found.verdict == "none":
         lines["Trust"] = trust(found)
     if found.advice and not only_usual(found):
         lines["Record next"] = " ".join(found.advice)
-    return {heading: line for heading, line in lines.items() if line}
+    of_its_own = of_rig if found.location.rig else str
+    return {heading: of_its_own(line) for heading, line in lines.items() if line}
+
+
+def whose(found: Diagnosis) -> str:
+    """The heading of what is said of its numbers."""
+    return "The rig" if found.location.rig else "The leg"
 
 
 def alike(found: Diagnosis) -> list[str]:

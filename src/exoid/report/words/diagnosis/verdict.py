@@ -1,5 +1,6 @@
 """The verdict of a diagnosis in one line."""
 
+from exoid.fitting.result.remarks.rig_words import of_rig
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.physics.library import library
 from exoid.physics.term import name_of
@@ -13,6 +14,10 @@ LITTLE = 0.03  # share of what was missing that is worth no word
 
 def headline(found: Diagnosis) -> str:
     """The verdict in one line."""
+    return of_rig(of_a_leg(found)) if found.location.rig else of_a_leg(found)
+
+
+def of_a_leg(found: Diagnosis) -> str:
     if found.verdict == "none":
         return "Nothing is missing: simulation and recording agree within the noise."
     if found.but_ends and any(each.left_out for each in found.fit.segments):
