@@ -451,6 +451,20 @@ def test_the_best_candidate_is_listed_once_whichever_way_led_to_it(listed):
     assert sorted(one.terms for one in each) == [best.terms, other.terms]
 
 
+def test_friction_beside_a_constant_torque_may_be_friction_that_differs_by_direction():
+    """Of 1.2 N m towards extension and 2.0 N m towards flexion, say."""
+    one, (cause,) = found(), found().findings
+    friction = Parameter("coulomb_friction.level", 1.6, "N m", 0.01)
+    pull = Parameter("torque_bias.bias", 0.4, "N m", 0.01)
+    both = [cause, replace(cause, name="torque_bias")]
+    said = sentences(replace(one, findings=both, parameters=[friction, pull]))["Missing"]
+    assert "differs by direction, 1.2 N m towards extension and 2 N m towards flexion" in said
+    stronger = replace(pull, value=-2.0)  # would push what moves
+    for parameters in ([friction], [pull], [friction, stronger]):
+        said = sentences(replace(one, findings=both, parameters=parameters))["Missing"]
+        assert "differs by direction" not in said
+
+
 def test_the_reason_of_a_gyros_scale_names_the_clock_that_looks_exactly_alike():
     gyro = Finding("gyro_scale", GyroScale.title, GyroScale.explanation, GyroScale.reference)
     one = replace(found(), findings=[gyro], equivalent=["gyro_scale", "clock_rate"])
@@ -473,7 +487,10 @@ def test_a_formula_that_is_a_simple_torque_has_its_name_and_its_reason():
     one = replace(novel(), formula=torque)
     assert headline(one) == "Something is missing: a torque that fades after the release."
     assert sentences(one)["Missing"].startswith("a torque that fades after the release: tau = 2.9")
-    assert sentences(one)["Reason"] == "A muscle lets go only after the leg was released."
+    assert (
+        sentences(one)["Reason"]
+        == "A muscle, or what held the leg, lets go only after the release."
+    )
     assert headline(novel()) == "Something is missing that the library does not know."
 
 

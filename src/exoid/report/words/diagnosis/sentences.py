@@ -1,14 +1,14 @@
 """A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
 
-from dataclasses import replace
 from math import hypot
 
 from exoid.fitting.result.remarks.noise_remarks import of_play, times_off
 from exoid.fitting.result.remarks.rig_words import of_rig
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
-from exoid.mismatch.answer.over_inertia import OVER, guessed
+from exoid.mismatch.answer.over_inertia import guessed
 from exoid.mismatch.sensors.agreement import OwnValue, SensorError
 from exoid.recordings.tables.sheet import listed
+from exoid.report.words.diagnosis.alike import alike
 from exoid.report.words.diagnosis.asserted import only_sensors, only_usual, parted, reason
 from exoid.report.words.diagnosis.cause import explanations, for_inertia, named, parameter
 from exoid.report.words.diagnosis.certainty import (
@@ -16,7 +16,6 @@ from exoid.report.words.diagnosis.certainty import (
     how_sure,
     suspected,
     trust,
-    twins,
 )
 from exoid.report.words.diagnosis.leg import booked, doubted
 from exoid.report.words.diagnosis.located import located
@@ -62,24 +61,6 @@ def sentences(found: Diagnosis) -> dict[str, str]:
 def whose(found: Diagnosis) -> str:
     """The heading of what is said of its numbers."""
     return "The rig" if found.location.rig else "The leg"
-
-
-def alike(found: Diagnosis) -> list[str]:
-    """What may act in the place of a cause, how large it is then, and no recording of motion tells
-    which of the two it is.
-    """
-    return [
-        f"or {title}{size_of(name, found)}, which would look exactly alike"
-        for name, title in twins(found).items()
-    ]
-
-
-def size_of(twin: str, found: Diagnosis) -> str:
-    """How large it is: a torque for the inertia that the numbers go with, and over that."""
-    own = [each for each in found.twins if each.name.startswith(f"{twin}.")]
-    untold = guessed(found.fit) and any(each.name.endswith(OVER) for each in own)
-    shown = [each for each in own if not (untold and each.unit.startswith("N m"))]
-    return "".join(f", {parameter(replace(e, name=e.name.replace(OVER, ' / J')))}" for e in shown)
 
 
 def where(found: Diagnosis) -> str:
