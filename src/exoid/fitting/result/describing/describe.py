@@ -24,7 +24,7 @@ from exoid.fitting.result.estimates.torque import estimate_torque
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.mountings import beyond_belief, estimate_mountings, numbers_at
 from exoid.fitting.result.remarks.limit_remarks import limits_met
-from exoid.fitting.result.remarks.pushed.damping_law import damping_law
+from exoid.fitting.result.remarks.pushed.missed_law import missed_law
 from exoid.fitting.result.remarks.rig_words import of_rig
 from exoid.fitting.result.segment_fit import SegmentFit, pooled
 from exoid.fitting.result.untold import with_slack
@@ -42,7 +42,7 @@ def describe(
     best, leaning = ended.best, leans(problem, ended)
     at_bound = {name for name, hold in zip(problem.constraints, leaning, strict=True) if hold}
     basis = Basis(problem, ended, information_at(problem, ended, leaning))
-    law = damping_law(problem, ended, basis.information.open)
+    law = missed_law(problem, ended, basis.information.open)
     off = moved(problem, ended, basis.information, None if law is None else law.steps)
     leg = of_leg(basis, at_bound, off)
     inertia = leg.parameters["inertia"]

@@ -10,7 +10,7 @@ from exoid.fitting.result.remarks.added_mass_remarks import of_misplaced, of_und
 from exoid.fitting.result.remarks.anatomy_remarks import of_anatomy
 from exoid.fitting.result.remarks.doubted_times import as_told
 from exoid.fitting.result.remarks.noise_remarks import of_leg_tone, tone_of
-from exoid.fitting.result.remarks.pushed.damping_law import DampingLaw, of_law
+from exoid.fitting.result.remarks.pushed.missed_law import MissedLaw, of_law
 from exoid.fitting.result.remarks.remarks import remarks
 from exoid.fitting.result.remarks.residual_remarks import of_unlike_drops
 from exoid.fitting.result.remarks.rig_words import of_rig
@@ -32,7 +32,7 @@ class LeftOpen:
 
     rate: float  # the share by which its times may be off
     slack: Leaning | None  # for where the knee's spring is slack
-    law: DampingLaw | None  # that damping may follow beside Eq. 9's
+    law: MissedLaw | None  # of what is missed
 
 
 def notes(result: FitResult, basis: Basis, at_bound: set[str], left: LeftOpen) -> list[str]:

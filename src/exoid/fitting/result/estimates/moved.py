@@ -47,17 +47,17 @@ class Moved:
 
 
 def moved(
-    problem: Problem, ended: SearchResult, information: Information, by_damping: np.ndarray | None
+    problem: Problem, ended: SearchResult, information: Information, by_law: np.ndarray | None
 ) -> Moved:
     """By the zero of a torque's sensor, a clock that nobody believes to be so far off, a law that a
-    leg follows otherwise than a term, and `by_damping` of another law, where one is seen.
+    leg follows otherwise than a term, and `by_law` of what is missed, where one is seen.
     """
     each = {
         "clock": moved_by_clocks(problem, ended, information),
         "torque_zero": moved_by_torque_zero(problem, ended),
         "reflex_form": moved_by_law(problem, ended, information),
     }
-    return Moved(each if by_damping is None else each | {"damping_law": by_damping[:, None]})
+    return Moved(each if by_law is None else each | {"missed_law": by_law[:, None]})
 
 
 def moved_by_clocks(problem: Problem, ended: SearchResult, information: Information) -> np.ndarray:

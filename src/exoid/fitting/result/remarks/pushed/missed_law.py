@@ -1,11 +1,13 @@
-"""That damping follows another law than Eq. 9's: what most of what is missed may be, and how far
-the numbers are from where they would be with it.
+"""What most of what is missed may be: a law beside Eq. 9, and how far the numbers are from where
+they would be with it.
 
 Dry friction and drag damp a swing as viscous damping does, by less or more of it as swings shrink.
-A fit takes each for d; a little is left, as where the sensors are a little noisier.
+A fit takes each for d; a little is left, as where the sensors are a little noisier. So it takes a
+constant torque on a rig, as friction that differs by direction is beside an even one, for a spring
+and a zero. Of a leg, whose spring is slack somewhere, `slack_angle` tells that.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,23 +17,36 @@ from exoid.fitting.misfit.gram_matrices import JITTER, hats, nodes_of
 from exoid.fitting.model.term_parameters import ratio_unit
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.remarks.pushed.answer import answer, beyond_noise, grams_of
+from exoid.fitting.result.remarks.zero.leaning import CONSTANT
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.parameter import declarations
-from exoid.physics.term import Term, name_of
+from exoid.physics.term import Term, holds, name_of
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
+from exoid.physics.terms.device.torque_bias import TorqueBias
 from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
 
 LAWS: dict[type[Term], Callable[[np.ndarray], np.ndarray]] = {  # over J, of one unit
     CoulombFriction: lambda rate: -np.sign(rate),
     QuadraticDrag: lambda rate: -rate * np.abs(rate),
+    TorqueBias: np.ones_like,
+}
+BOOKED = {  # what a fit without it takes it for
+    CoulombFriction: ("damping",),
+    QuadraticDrag: ("damping",),
+    TorqueBias: ("gravity", "stiffness"),
+}
+RATIOS = {
+    "damping": "d / J would be {:.4g} 1/s",
+    "gravity": "m l g / J would be {:.4g} 1/s^2",
+    "stiffness": "c / J {:.2g} 1/s^2",
 }
 CLEAR = 4.0  # standard errors of its size
 MOSTLY = 0.5  # of the squares that are missed, that it takes away
 
 
 @dataclass(frozen=True, eq=False)
-class DampingLaw:
-    """A law that damping follows beside Eq. 9's."""
+class MissedLaw:
+    """A law of what is missed."""
 
     term: type[Term]
     size: float  # over J
@@ -39,16 +54,32 @@ class DampingLaw:
     steps: np.ndarray  # of the coordinates, from where they would be with it
     share: float  # of the squares that are missed, that it takes away
 
+    @property
+    def clear(self) -> bool:
+        """Is it told by the recording, and not below 0 where it can only brake?"""
+        size = abs(self.size) if self.term is TorqueBias else self.size
+        return size > CLEAR * self.error
 
-def damping_law(problem: Problem, ended: SearchResult, free: np.ndarray) -> DampingLaw | None:
+
+def missed_law(problem: Problem, ended: SearchResult, free: np.ndarray) -> MissedLaw | None:
     """The law that explains most of what is missed; None where none explains much."""
     if ended.disturbance.cause is None:
         return None
-    having, grams = set(map(name_of, problem.terms)), grams_of(problem, ended)
-    terms = [term for term in LAWS if name_of(term) not in having]
-    each = [law_of(problem, ended, free, grams, term) for term in terms]
-    clear = [one for one in each if one.size > CLEAR * one.error and one.share > MOSTLY]
+    grams = grams_of(problem, ended)
+    each = [law_of(problem, ended, free, grams, term) for term in asked_of(problem)]
+    clear = [one for one in each if one.clear and one.share > MOSTLY]
     return max(clear, key=lambda one: one.share, default=None)
+
+
+def asked_of(problem: Problem) -> list[type[Term]]:
+    """The laws that it may be, whose term the model does not have."""
+    having = set(map(name_of, problem.terms))
+    constant = problem.belief.rig and not CONSTANT & having
+    return [
+        term
+        for term in LAWS
+        if name_of(term) not in having and (constant or term is not TorqueBias)
+    ]
 
 
 def law_of(
@@ -57,13 +88,13 @@ def law_of(
     free: np.ndarray,
     grams: Sequence[Grams],
     term: type[Term],
-) -> DampingLaw:
+) -> MissedLaw:
     """How much of it the recording shows, near the end point of a fit without it."""
     shapes = along_motion(problem, ended, LAWS[term])
     pull, told, size = answer(problem, ended, free, grams, shapes)
     error, size = (told**-0.5, size / told) if told > 0 else (np.inf, 0.0)
     share = size**2 * told * ended.disturbance.scale**2 / beyond_noise(problem, ended)
-    return DampingLaw(term, size, error, size * pull, share)
+    return MissedLaw(term, size, error, size * pull, share)
 
 
 def along_motion(
@@ -90,16 +121,30 @@ def nearest(
     return np.linalg.solve(normal, rows @ law(rate[lasting]))
 
 
-def of_law(law: DampingLaw | None, problem: Problem, ended: SearchResult) -> list[str]:
-    """What most of what is missed may be, what d / J would be with it, and what to do."""
+def of_law(law: MissedLaw | None, problem: Problem, ended: SearchResult) -> list[str]:
+    """What most of what is missed may be, what the ratios would be with it, and what to do."""
     if law is None:
         return []
     _, size = next(declarations(law.term))
-    damping = ended.local.quantities[problem.quantities.index("damping_over_inertia")]
-    here = float(ended.point.shared.damping)
-    there = here - float(damping @ law.steps)
+    with_it = ", ".join(ratios_with(law, problem, ended))
     return [
-        f"most of what is missed is as {law.term.title} would leave it, {size.symbol} / J = "
-        f"{law.size:.2g} {ratio_unit(size)}: with it d / J would be {there:.4g} 1/s. ± holds how "
+        f"most of what is missed is as {in_words(law.term, problem)} would leave it, "
+        f"{size.symbol} / J = {law.size:.2g} {ratio_unit(size)}: with it {with_it}. ± holds how "
         f"far numbers would move; fit it by --with {name_of(law.term)}."
     ]
+
+
+def in_words(term: type[Term], problem: Problem) -> str:
+    """What the law is called; a constant torque beside dry friction is friction by direction."""
+    if term is not TorqueBias:
+        return term.title
+    even = any(map(holds, problem.terms))
+    return "a constant torque (friction that differs by direction)" if even else "a constant torque"
+
+
+def ratios_with(law: MissedLaw, problem: Problem, ended: SearchResult) -> Iterator[str]:
+    """What the ratios would be with it that a fit without it takes it for."""
+    for name in BOOKED[law.term]:
+        gradient = ended.local.quantities[problem.quantities.index(f"{name}_over_inertia")]
+        if off := float(gradient @ law.steps):
+            yield RATIOS[name].format(float(getattr(ended.point.shared, name)) - off)
