@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from exoid.recordings.landmarks.expected_rest import LAST, expected_rest, middles
 from exoid.recordings.landmarks.impact.impact import Impact
@@ -13,13 +14,14 @@ from exoid.recordings.landmarks.peak import fastest
 from exoid.recordings.landmarks.release import Release
 from exoid.recordings.landmarks.rest import CutBefore, Rest
 from exoid.recordings.landmarks.swing import Curve, back, curve
-from exoid.recordings.landmarks.track import DEGREE, HALF, Peak, Track, nearest
+from exoid.recordings.landmarks.track import DEGREE, HALF, SURE, Peak, Track, nearest
 from exoid.recordings.measured.samples import Samples
 
 MISSED_LESS = (
     2**DEGREE - 1
 )  # times less of a slope is missed over half the time than both differ by
-MISSED_BEND = 0.5  # of what both differ by in acceleration beside a sharp stop: 0.2, seldom 0.7
+MISSED_BEND = 0.5  # of what both differ by beside a sharp stop or reflex: 0.2, seldom 0.7
+SWINGING = 0.03  # of a velocity, by which both differ at most in a swing of up to 10 rad/s
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,7 +132,8 @@ class Landmarks:
         swings.
 
         Polynomials over twice the time say near where: the place at which noise lifts it would be
-        read too high.
+        read too high. A velocity's short peak, as before a reflex, they miss: where the others
+        surely find more elsewhere, it is there.
         """
         times, sharp, wide = self.first_swings
         inside = np.flatnonzero((times >= begin) & (times <= end))
@@ -140,13 +143,37 @@ class Landmarks:
         self.track.check_seen(float(times[at]), HALF)
         time, place = float(times[at]), sharp.only(at)
         if order == 1:
-            after, value, error = fastest(place, sign)
-            missed = float(place.value(1)[0] - wide.value(1)[at]) / MISSED_LESS
-            error = float(np.hypot(error, missed))
-            return Peak(nearest(self.track, time + after), time + after, HALF, value, error)
+            return self.fastest_at(self.highest(at, inside, sign), sign)
         value, error = place.derivative(order)
         beside = (np.abs(times - time) <= HALF / 2) & (times > self.begin + HALF)
         apart = np.abs(sharp.value(order) - wide.value(order))
         missed = MISSED_BEND * max(apart[at], float(np.sqrt(np.mean([0.0, *apart[beside] ** 2]))))
         unsure = float(np.hypot(error[0], missed))
         return Peak(nearest(self.track, time), time, HALF, float(value[0]), unsure)
+
+    def highest(self, at: int, inside: NDArray[np.int_], sign: int) -> int:
+        """The sample of the first swings among those `inside` where the velocity surely is greater
+        than at one, or that one.
+        """
+        _, sharp, _ = self.first_swings
+        other = int(inside[np.argmax(sign * sharp.value(1)[inside])])
+        return other if surely_more(sharp.only(other), sharp.only(at), sign) else at
+
+    def fastest_at(self, at: int, sign: int) -> Peak:
+        """The extreme of velocity next to a sample of the first swings. Of a peak shorter than a
+        swing's both polynomials miss a part.
+        """
+        times, sharp, wide = self.first_swings
+        after, value, error = fastest(sharp.only(at), sign)
+        apart = float(sharp.value(1)[at] - wide.value(1)[at])
+        short = abs(apart) > SWINGING * abs(value)
+        missed = apart * MISSED_BEND if short else apart / MISSED_LESS
+        time = float(times[at]) + after
+        self.track.check_seen(time, HALF)
+        return Peak(nearest(self.track, time), time, HALF, value, float(np.hypot(error, missed)))
+
+
+def surely_more(one: LocalPolynomials, other: LocalPolynomials, sign: int) -> bool:
+    """Is the angular velocity at the centre of `one` surely greater (sign 1) or less (-1)?"""
+    (value, error), (before, unsure) = one.derivative(1), other.derivative(1)
+    return bool(sign * (value - before)[0] > SURE * np.hypot(error, unsure)[0])
