@@ -89,3 +89,30 @@ def test_white_noise_that_is_declared_is_not_overruled_by_how_something_moves():
     ]
     assert found[0].level == pytest.approx(NOISE, rel=0.1)
     assert [each.alike_over > 0 for each in found] == [False, True]
+
+
+def rattling(rate):
+    """Time, angle and torque of a motor whose load hangs in a play of 1 deg."""
+    time, step = np.arange(0, 6, 1e-4), 1e-4
+    motor = load = fast = swing = 0.0
+    angles = np.empty(time.size)
+    for at, torque in enumerate((1.2 * np.sin(2 * np.pi * 0.9 * time)).tolist()):
+        angles[at] = motor
+        beyond = load - motor - np.clip(load - motor, -0.0087, 0.0087)
+        push = 4000 * beyond + 2.0 * (swing - fast) * (beyond != 0)
+        fast += step * (torque + push - 0.05 * fast - 0.1 * np.sign(fast)) / 0.03
+        swing += step * (-push - 3.0 * np.sin(load)) / 0.1
+        motor, load = motor + step * fast, load + step * swing
+    each = round(1 / rate / 1e-4)
+    return time[::each], angles[::each], 1.2 * np.sin(2 * np.pi * 0.9 * time[::each])
+
+
+@pytest.mark.parametrize("bits", [12, 14])
+def test_an_angle_on_the_steps_of_its_encoder_was_smoothed_by_nobody(bits):
+    """A motor that rattles in its play scattered by 50 times its steps, "smoothed"."""
+    time, angle, torque = rattling(200)
+    step = 2 * np.pi / 2**bits
+    shown = np.round((angle + shaken(time.size)) / step) * step
+    found = cleaned(time, shown, torque, encoder_counts=2.0**bits)
+    assert found.alike_over == 0
+    assert cleaned(time, shown, torque).level >= found.level  # where nobody says what its steps are

@@ -13,8 +13,7 @@ from exoid.recordings.measured.segment import Segment
 from exoid.recordings.motion.thresholds import QUIET, SPEED_ERROR, WIDTHS
 from exoid.recordings.remembered import remembered
 from exoid.recordings.signal.local_line import local_line
-from exoid.recordings.signal.noise import declared_angle_noise, noise_of
-from exoid.recordings.signal.smoothed import OF_ANGLE
+from exoid.recordings.signal.noise import declared_angle_noise, noise_of, swing_of
 from exoid.recordings.signal.spikes import spikes_of
 
 
@@ -100,7 +99,8 @@ def signal_of(segment: Segment, sensors: Sensors) -> Signal:
     rate = "raw_angular_velocity" if raw else "angular_velocity"
     declared = declared_angle_noise(sensors, [segment.best_angle])
     of_angle = "angle" if segment.raw_angle is None else "raw_angle"
-    angle, noise = credible(segment, of_angle, declared, swing=OF_ANGLE)
+    swing = swing_of(sensors, [getattr(segment, of_angle)])
+    angle, noise = credible(segment, of_angle, declared, swing=swing)
     if getattr(segment, rate) is None:
         return Signal(segment.time, angle, noise, None, np.inf)
     velocity, scatter = credible(segment, rate, sensors.velocity_noise, swing=None)

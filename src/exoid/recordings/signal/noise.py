@@ -7,12 +7,13 @@ import numpy as np
 from exoid.recordings.declared.sensors import Sensors
 from exoid.recordings.measured.samples import FAR, FEWEST, NONE, Samples, quantum, robust_deviation
 from exoid.recordings.signal.neighbours import known_of
-from exoid.recordings.signal.smoothed import QUIET, smoothed_or_not
+from exoid.recordings.signal.smoothed import OF_ANGLE, QUIET, smoothed_or_not
 from exoid.recordings.signal.tone import Tone
 
 AGREE = 2.0  # factor between measured and declared noise, from which on it is worth a word
 MORE = 1.5  # times the declared noise: samples that scatter by more are believed; jumps make 1.4
 HEAVY = 1.15  # root mean square over robust deviation, from which on tails are worth a word
+SAME = 0.01  # of an encoder's step, within which that of samples is the same
 CHANCE = 4.5  # over the root of their number, by which it is more of one in 700 Gaussian samples
 
 
@@ -81,6 +82,16 @@ def declared_angle_noise(sensors: Sensors, signals: list[Samples]) -> float | No
     counts = sensors.encoder_counts
     step = quantum(signals) if counts is None else 2 * np.pi / counts
     return float(np.hypot(sensors.angle_noise, step / np.sqrt(12)))
+
+
+def swing_of(sensors: Sensors, signals: list[Samples]) -> float | None:
+    """How far an angle may swing for `noise_of`; None where it stands on the steps of the encoder
+    that the sidecar declares: whoever smooths, or interpolates, leaves values between them.
+    """
+    if sensors.encoder_counts is None:
+        return OF_ANGLE
+    step = 2 * np.pi / sensors.encoder_counts
+    return None if abs(quantum(signals) - step) < SAME * step else OF_ANGLE
 
 
 def noise_of(

@@ -12,8 +12,8 @@ from exoid.recordings.recording import Recording
 from exoid.recordings.signal.both_sensors.gyro_drift import gyro_drift
 from exoid.recordings.signal.both_sensors.play import find_play
 from exoid.recordings.signal.both_sensors.shared_motion import moved_alike, swung_alike
-from exoid.recordings.signal.noise import Noise, declared_angle_noise, noise_of
-from exoid.recordings.signal.smoothed import OF_ANGLE, OF_RATE
+from exoid.recordings.signal.noise import Noise, declared_angle_noise, noise_of, swing_of
+from exoid.recordings.signal.smoothed import OF_RATE
 from exoid.recordings.signal.spikes import spikes_of
 from exoid.recordings.signal.tone import find_tone, without_tone
 from exoid.recordings.signal.turns import coarse
@@ -86,7 +86,8 @@ def clean_channel(
         level = found.level if declared is None else declared
         return recording, replace(found, level=level)
     count = int(sum(each.sum() for each in spikes))
-    swing = OF_ANGLE if name in ("raw_angle", "angle") else OF_RATE
+    of_angle = name in ("raw_angle", "angle")
+    swing = swing_of(recording.sensors, signals) if of_angle else OF_RATE
     driven = any(each.driven for each in recording.segments)
     noise = noise_of(times, kept, declared, swing=swing, driven=driven)
     white = noise_of(times, kept, declared) if noise.alike_over else noise
