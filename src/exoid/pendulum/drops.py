@@ -8,7 +8,7 @@ from exoid.pendulum.drift import read_off
 from exoid.pendulum.drop import Average, Drop, PendulumTest
 from exoid.pendulum.halt import of_halt, of_rise, of_stop
 from exoid.pendulum.off_body import with_doubted_times
-from exoid.pendulum.off_clock import with_doubted_clock
+from exoid.pendulum.off_clock import with_doubted_scales
 from exoid.pendulum.push import of_lead, of_push
 from exoid.pendulum.smoothing import as_smoothed, of_play
 from exoid.recordings.conventions.jumps import AGAIN, jumps_of, told_jumps
@@ -98,13 +98,13 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         stop = of_stop(found)
         halt = of_halt(found) if handled and not stop else None
         read, smoothed = as_smoothed(drifting.measures, cleaned.angle, recording)
-        read, clock = with_doubted_clock(read, cleaned.recording)
+        read, scales = with_doubted_scales(read, cleaned.recording)
         read, times = with_doubted_times(read, cleaned.recording, number)
         push = of_push(found, drifting.measures) if handled else of_rise(track, found)
         lead = of_lead(found) if handled else None
         wild = of_wild_samples(recording.segments[number], segment)
         play = of_play(cleaned)
-        notes = stop, drifting.note, smoothed, clock, times, lead, push, play, wild
+        notes = stop, drifting.note, smoothed, scales, times, lead, push, play, wild
         note = "; ".join(filter(None, notes)) or None
         if halt is None:
             check_motion(read)
