@@ -120,3 +120,15 @@ def test_what_is_believed_is_only_said_to_be_explained_where_it_is():
     assert "because the others are explained." in of_the_rest([near, away], weighed())[0]
     (said,) = of_the_rest([far, away], weighed())
     assert "missed by less, 0.46 deg, which is still 10 times the noise" in said
+
+
+@pytest.mark.parametrize(
+    ("of_a_leg", "own"),
+    [
+        ("the seat's tilt, or a foot before the leg's line, limits J", "the base's tilt limits J"),
+        ("tilts the thigh: give thigh_angle_deg", "tilts the base: give thigh_angle_deg"),
+        ("from the axis of the knee, 0.2 m from the knee", "from the axis, 0.2 m from the axis"),
+    ],
+)
+def test_a_rig_has_neither_seat_nor_thigh_nor_knee(of_a_leg, own):
+    assert of_rig(of_a_leg) == own
