@@ -32,6 +32,42 @@ def test_an_encoder_that_stands_still_is_told_by_its_gyro_or_by_where_it_goes_on
         assert np.flatnonzero(lost(TIME, angle, rate)).tolist() == list(range(500))[HOLE]
 
 
+def stuttering(code: float, seed: int = 0) -> tuple[exoid.Segment, list[int]]:
+    """Encoder [code in deg] and gyro of a logger that writes one row of twelve twice, or three
+    times, and which of the rows where the leg is fast.
+    """
+    rng = np.random.default_rng(seed)
+    noisy = ANGLE + rng.normal(0.0, 1e-3, TIME.size), RATE + rng.normal(0.0, 5e-3, TIME.size)
+    angle, rate = np.radians(code) * np.round(noisy[0] / np.radians(code)), noisy[1]
+    again = np.sort(rng.choice(np.arange(1, TIME.size), 40, replace=False))
+    for row in again:
+        angle[row], rate[row] = angle[row - 1], rate[row - 1]
+    fast = [int(row) for row in again if abs(RATE[row]) > 1.2 and 5 < row < 494]
+    return exoid.Segment(TIME, raw_angle=angle, raw_angular_velocity=rate), fast
+
+
+@pytest.mark.parametrize("code", [0.01, 360 / 4096, 0.1])
+def test_a_row_that_is_written_again_while_the_leg_moves_is_none(code):
+    segment, fast = stuttering(code)
+    (found,) = without_lost_samples(exoid.Recording((segment,)))[0].segments
+    assert len(fast) >= 8
+    assert np.isnan(found.raw_angle[fast]).all()
+    assert np.isnan(found.raw_angular_velocity[fast]).all()
+    assert np.isnan(found.raw_angle).sum() <= 40
+
+
+@pytest.mark.parametrize("code", [0.01, 360 / 4096, 0.2, 1.0])
+def test_no_row_of_a_leg_is_taken_for_one_that_is_written_again(code):
+    """Nor of one that is held at first, and hits a stop."""
+    rng = np.random.default_rng(1)
+    held = np.concatenate([np.full(100, ANGLE[0]), np.maximum(ANGLE, -1.9)[:400]])
+    rate = np.round(np.gradient(held, 0.01), 3)
+    shown = np.radians(code) * np.round((held + rng.normal(0, 1e-4, 500)) / np.radians(code))
+    segment = exoid.Segment(TIME, raw_angle=shown, raw_angular_velocity=rate)
+    recording = exoid.Recording((segment,))
+    assert without_lost_samples(recording) == (recording, ())
+
+
 @pytest.mark.parametrize("play", [1.0, 3.0, 6.0, 10.0])
 def test_an_encoder_that_play_holds_where_the_leg_turns_back_stays(play):
     """It stands while its gyro turns through the play, and goes on from there without a jump."""

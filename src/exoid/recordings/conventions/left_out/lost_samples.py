@@ -3,7 +3,8 @@
 A logger that hears nothing writes zeros, or the last value once more. Neither is told by the value
 but by its ends, where the angle jumps as it does nowhere beside, or by the gyro, which turns
 meanwhile. What an encoder shows at rest is repeated as well, and stays. A gyro's zeros are told by
-the encoder, and by its own rates before and after.
+the encoder, and by its own rates before and after. A value that is repeated once or twice is told
+by all channels, which no noise lets stand together while the angle goes on.
 """
 
 from dataclasses import replace
@@ -16,8 +17,10 @@ from exoid.recordings.measured.samples import Samples
 from exoid.recordings.measured.segment import Segment
 from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import runs, stands
+from exoid.recordings.signal.rounding import least_step
 
-FEWEST = 3  # times in a row; what is shorter is a spike
+FEWEST = 3  # times in a row; what is shorter is a spike, or stands in all channels
+STEPS = 3.0  # of the code of an angle, by which it goes on from sample to sample, at least
 LEAST = float(np.radians(5.0))  # by which an angle jumps, or its gyro turns meanwhile
 ALONE, BESIDE = 4.0, 5  # times the greatest of so many steps on its other side, of a jump
 MOVES = 0.5  # rad/s in the mean, which is no gyro's bias
@@ -48,9 +51,28 @@ def lost_in(segment: Segment) -> dict[str, NDArray[np.bool_]]:
     }
     if segment.raw_angle is not None and segment.raw_angular_velocity is not None:
         rate = segment.raw_angular_velocity
+        found["raw_angle"] |= written_again(segment.raw_angle, rate)
         again = found["raw_angle"] & (np.diff(rate, prepend=np.nan) == 0.0)
         found[GYRO] = again | zeros(segment.time, segment.raw_angle, rate)
     return found
+
+
+def written_again(angle: Samples, rate: Samples) -> NDArray[np.bool_]:
+    """Which samples of an angle [rad] and a gyro repeat the one before, both, though the angle goes
+    one way by several codes from sample to sample, on average over those beside.
+    """
+    again = (np.diff(angle, prepend=np.nan) == 0.0) & (np.diff(rate, prepend=np.nan) == 0.0)
+    if not again.any():
+        return again
+    number = np.arange(angle.size)
+    first, last = np.maximum(number - BESIDE, 0), np.minimum(number + BESIDE, angle.size - 1)
+    went = angle - angle[first], angle[last] - angle
+    least = STEPS * BESIDE * least_step(angle[~np.isnan(angle)])
+    return (
+        again
+        & (np.minimum(np.abs(went[0]), np.abs(went[1])) > least)
+        & (np.sign(went[0]) == np.sign(went[1]))
+    )
 
 
 def zeros(time: Samples, angle: Samples, rate: Samples) -> NDArray[np.bool_]:
