@@ -92,6 +92,11 @@ def test_a_search_that_ended_early_does_not_narrow_an_interval():
 
 def test_a_fit_of_every_segment_alone_has_no_profile(scaled_fit):
     with pytest.raises(ValueError, match="fitted alone"):
+        profiles(replace(scaled_fit, basis=None, leg=None))
+
+
+def test_a_saved_fit_has_no_profile_and_says_what_to_do(scaled_fit):
+    with pytest.raises(ValueError, match="to profile, fit the recording again"):
         profiles(replace(scaled_fit, basis=None))
 
 

@@ -197,7 +197,7 @@ def test_what_one_short_swing_hardly_tells_is_said():
 def test_a_fit_of_every_segment_alone_cannot_be_asked():
     result = fit(recorded(DROP), multistart=1)
     with pytest.raises(ValueError, match="fitted alone"):
-        identify(replace(result, basis=None))
+        identify(replace(result, basis=None, leg=None))
 
 
 def test_room_of_more_than_the_value_is_told_as_how_large_it_may_be():

@@ -145,11 +145,9 @@ def from_anatomy(subject: Subject, assumed: Assumptions | None = None) -> PriorK
 def from_result(result: FitResult) -> PriorKnowledge:
     """What a fit knows.
 
-    **Raises** `ValueError` for a result that has no one fit (`fit_each`).
+    **Raises** `ValueError` for a result that has no one fit (`fit_each`), or was saved.
     """
-    basis = result.basis
-    if basis is None:
-        raise ValueError("every segment was fitted alone: there is no one fit to plan from.")
+    basis = result.basis_to("plan from")
     best, local = take(basis.ended.best.coordinates, 0), basis.ended.local
     first = basis.problem.movements[0]
     gyro = first.angular_velocity is not None

@@ -34,7 +34,7 @@ RESTING = 0.5  # share of a value from which on it rests on the voluntary segmen
 def identify(result: FitResult) -> Identifiability:
     """Ask a fit what it knows, and from whom.
 
-    **Raises** `ValueError` for a result that has no one fit to ask (`fit_each`).
+    **Raises** `ValueError` for a result that has no one fit to ask (`fit_each`), or was saved.
 
     >>> told = exoid.identify(exoid.fit("drops.csv"))
     >>> len(told.segment_shares["damping_over_inertia"])  # a part of each segment
@@ -44,9 +44,7 @@ def identify(result: FitResult) -> Identifiability:
         raise ValueError(
             f"identify asks a fit, not a {type(result).__name__}: give what fit returned."
         )
-    basis = result.basis
-    if basis is None:
-        raise ValueError("every segment was fitted alone: there is no one fit to ask.")
+    basis = result.basis_to("ask")
     data = basis.ended.local.data + basis.ended.local.declared
     alone = Information(data, np.zeros_like(data), np.zeros((0, data.shape[0])))
     symbols = {name: each.symbol for name, each in named(result)}

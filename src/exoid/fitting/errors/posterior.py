@@ -70,17 +70,15 @@ def sample(
     nothing determines, as m of a rig, or what the fit holds back, is left out. `warmup` adapts the
     step alone.
 
-    **Raises** `ValueError` for a result without one fit (`fit_each`), where packages are missing,
-    or where the limits leave no room.
+    **Raises** `ValueError` for a result without one fit (`fit_each`) or that was saved, where
+    packages are missing, or where the limits leave no room.
 
     >>> drawn = exoid.sample(exoid.fit("drops.csv"), draws=20, warmup=20, chains=2)
     >>> drawn.samples["damping_over_inertia"].shape
     (2, 20)
     """
     check_packages()
-    basis = result.basis
-    if basis is None:
-        raise ValueError("every segment was fitted alone: there is no one fit to draw around.")
+    basis = result.basis_to("draw around")
     target, undetermined = posed(basis)
     with jax.enable_x64(True):
         run = partial(move_chains, chain=basis.problem.chain, warmup=warmup, draws=draws)

@@ -81,15 +81,13 @@ def profiles(result: FitResult) -> dict[str, Profile]:
     is one that the fit holds back though its loss would tell it, as J where a torque's gain is
     unknown, and every one where motion and anatomy contradict each other, for the loss holds both.
 
-    **Raises** `ValueError` for a result that has no one fit to profile (`fit_each`).
+    **Raises** `ValueError` for a result that has no one fit to profile (`fit_each`), or was saved.
 
     >>> each = exoid.profiles(exoid.fit("drops.csv"))
     >>> each["gravity_over_inertia"].estimate.unit
     '1/s^2'
     """
-    basis = result.basis
-    if basis is None:
-        raise ValueError("every segment was fitted alone: there is no one fit to profile.")
+    basis = result.basis_to("profile")
     if result.parameters["inertia"].reason == UNLIKE:
         return {}
     limits = limits_of(result.parameters)

@@ -81,7 +81,9 @@ class FitResult:
     thigh_angle: Annotated[float, "rad"] = 0.0
     fitted_terms: tuple[Term, ...] = ()  # with the fit's values
     notes: list[str] = field(default_factory=list)
-    basis: Basis | None = field(default=None, metadata={"saved": False})  # None: each alone
+    basis: Basis | None = field(
+        default=None, metadata={"saved": False}
+    )  # None: saved, or each alone
     set_aside: list[str] = field(default_factory=list)  # of the notes: what was not fitted
     gravity_moment: Estimate | None = None  # m l g of the parameters; older files have none
     astray: str | None = None  # why the simulation does not follow the recording, where it does not
@@ -125,6 +127,20 @@ class FitResult:
         if self.leg is None:
             return None
         return LegModel(self.leg, NoTorque(), np.asarray(self.thigh_angle), self.fitted_terms)
+
+    def basis_to(self, wanted: str) -> Basis:
+        """What the fit rests on, wanted to do this with.
+
+        **Raises** `ValueError` where it has none: a saved fit, or one of every segment alone.
+        """
+        if self.basis is not None:
+            return self.basis
+        if self.leg is None:
+            raise ValueError(f"every segment was fitted alone: there is no one fit to {wanted}.")
+        raise ValueError(
+            f"this fit was saved, and a file holds its numbers alone: to {wanted}, fit the "
+            "recording again."
+        )
 
     def __repr__(self) -> str:
         return summary.lines(self)
