@@ -16,6 +16,7 @@ from exoid.recordings.signal.condition import (
     classify,
     clip,
     moving_average,
+    stays,
     torque_frequencies,
 )
 from exoid.recordings.splitting.split import measure_period, split
@@ -51,6 +52,18 @@ def log_of(parts, noise=0.0):
     edges = np.cumsum([0, *map(len, parts)]) * STEP
     angle = angle + np.random.default_rng(0).normal(0, noise, angle.size)
     return Segment(time=np.arange(angle.size) * STEP, raw_angle=angle), edges
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_leg_that_stays_where_it_is_makes_no_movement_of_any_kind(seed):
+    """A knee that is locked: what noise makes of its ends is neither a cycle nor a drop."""
+    angle = np.radians(-41) + np.random.default_rng(seed).normal(0, 3e-3, 4000)
+    locked = Segment(time=np.arange(4000) * STEP, raw_angle=angle)
+    assert classify(locked) is None
+    assert stays(locked)
+    swings = Segment(time=np.arange(600) * STEP, raw_angle=drop(np.radians(-68)))
+    assert classify(swings) == "passive"
+    assert not stays(swings)
 
 
 @pytest.fixture(scope="module")

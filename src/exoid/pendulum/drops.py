@@ -23,7 +23,7 @@ from exoid.recordings.motion.signal import signal_of
 from exoid.recordings.recording import Recording
 from exoid.recordings.selection import alike, selection
 from exoid.recordings.signal.both_sensors.clean import clean
-from exoid.recordings.signal.condition import classify
+from exoid.recordings.signal.condition import classify, stays
 
 REFUSED = {
     "active": "a voluntary movement: only a relaxed leg that was let go is read",
@@ -86,7 +86,7 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         if kind in ("active", "measured"):
             raise NotAllowed(REFUSED[kind])
         track = track_of(segment, cleaned.angle.level)
-        if kind is None:
+        if kind is None and not stays(segment):
             raise NotAllowed(REFUSED[kind])
         if said := told_jumps(jumps_of(segment, cleaned.angle.level)):
             raise NotAllowed(f"{said}. {AGAIN}")

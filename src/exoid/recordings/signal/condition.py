@@ -17,6 +17,7 @@ SMOOTHING = 0.05  # s, of the velocity that decides what moves; half a leg's swi
 FREE, SHRUNK = 3, 0.8  # swings that no muscle makes, and to what share they shrink in all
 BRIDGED = 0.1  # s without a sample: a line over it takes 1 in 25 off a swing that turns there
 LESS = 0.97  # of the swing before, beside a hole: a muscle's cycles, back at one angle, shrink less
+STILL = np.radians(1.0)  # rad: what goes no farther may be noise alone
 RINGING = 0.1  # of its travel: the least that a swing goes
 ENDS = 3  # samples, of which one may be wild
 NEAR = 0.35  # of the range of a movement; a drop ends at 0.5 (no damping) to 1 of it, lower
@@ -113,17 +114,30 @@ def classify(segment: Segment) -> Kind | None:
     """Swung out, whatever lifts the leg after that, or ended lower: a passive drop; back at its
     start: a voluntary cycle; a lift, still, or too few samples for ends and a middle: None.
     """
-    channel = next(each for each in ANGLES if getattr(segment, each) is not None)
-    wild = spikes_of(segment, channel, 0.0)
-    known = np.where(wild, np.nan, getattr(segment, channel))
+    known = known_of(segment)
     angle = interpolated(segment.time, known)
-    if angle.size <= 2 * ENDS or np.ptp(angle) == 0:
+    if angle.size <= 2 * ENDS or still(segment.time, angle):
         return None
     begin, end = (float(np.median(each)) for each in (angle[:ENDS], angle[-ENDS:]))
     rise = (end - begin) / np.ptp(angle)
     if rise <= -NEAR or swings_out(segment.time, angle, ~np.isnan(known)):
         return "passive"
     return "active" if rise < NEAR else None
+
+
+def known_of(segment: Segment) -> Samples:
+    """The angle by the first channel that has one, without its wild samples."""
+    channel = next(each for each in ANGLES if getattr(segment, each) is not None)
+    return np.where(spikes_of(segment, channel, 0.0), np.nan, getattr(segment, channel))
+
+
+def stays(segment: Segment) -> bool:
+    """Does its angle stay where it is, but for noise?"""
+    return still(segment.time, interpolated(segment.time, known_of(segment)))
+
+
+def still(time: Samples, angle: Samples) -> bool:
+    return bool(np.ptp(local_line(time, angle, 2 * SMOOTHING)[0]) < STILL)
 
 
 def swings_out(time: Samples, angle: Samples, seen: NDArray[np.bool_]) -> bool:
