@@ -26,6 +26,10 @@ def told(name: str, *ids: str) -> tuple[str, ...]:
         ("session 2/S12 l.csv", ("S12", "2", "left", "")),
         ("P01/P01_left_1.csv", ("P01", "", "left", "1")),
         ("study2024/group1/T2_P01_left.csv", ("P01", "t2", "left", "")),
+        ("P01_V2_L.csv", ("P01", "2", "left", "")),
+        ("P01_visit1_L_v2.csv", ("P01", "1", "left", "")),  # of a format
+        ("P01_links_12.03.2026.csv", ("P01", "2026-03-12", "left", "")),
+        ("P01_re-test_rechts_2.csv", ("P01", "re-test", "right", "2")),
     ],
 )
 def test_a_name_tells_person_session_side_and_run(name, says):

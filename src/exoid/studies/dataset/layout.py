@@ -26,7 +26,10 @@ KEYS = {
     "task": "task",
 }
 SESSIONS = ("pre", "post", "before", "after", "baseline", "followup", "test", "retest")
-OF_SIDES = {"left": "left", "l": "left", "right": "right", "r": "right"}
+OF_SIDES = {
+    **dict.fromkeys(("left", "l", "links", "li", "gauche", "izquierda", "sinistra"), "left"),
+    **dict.fromkeys(("right", "r", "rechts", "re", "droite", "derecha", "destra"), "right"),
+}
 NOBODY = (  # with a number behind them they count something else
     *("knee", "shank", "imu", "node", "rec", "recording", "data", "file", "log", "version", "v"),
     *("study", "site", "group", "cohort", "batch", "set", "dataset", "arm", "centre", "center"),
@@ -37,8 +40,10 @@ NUMBERED = re.compile(r"([a-z]+)(\d+)", re.IGNORECASE)
 APART = re.compile(rf"(?<![^\W_])({'|'.join(KEYS)})[ _](?=\d+(?![^\W_]))", re.IGNORECASE)
 PERSON = re.compile(r"([^\W\d_]+)\d[^\W_]*")
 DATE = re.compile(r"(?<!\d)(?:19|20)\d\d-?[01]\d-?[0-3]\d(?!\d)")
+DAY_FIRST = re.compile(r"(?<!\d)([0-3]?\d)\.([01]?\d)\.((?:19|20)\d\d)(?!\d)")
 BETWEEN = re.compile(r"[_\s.]+")
 MAYBE, NUMBER = "maybe", "number"  # a person, if nothing else tells one; and a trial or a person
+V, VISIT = "v", "visit"  # a visit where nothing else tells one: else a version, such as of a format
 
 
 @dataclass(frozen=True)
@@ -84,7 +89,10 @@ def settled(found: list[Said]) -> list[Said]:
     fields = {each.field for each in found}
     numbers = [each.value for each in found if each.field == NUMBER]
     people = [each.value for each in found if each.field == MAYBE]
-    sure = [each for each in found if each.field not in (MAYBE, NUMBER)]
+    visits = [each.value for each in found if each.field == VISIT]
+    sure = [each for each in found if each.field not in (MAYBE, NUMBER, VISIT)]
+    if "session" not in fields and visits:
+        sure.append(Said("session", visits[-1]))
     if "participant" not in fields and people:
         sure.append(Said("participant", people[0]))
     elif "participant" not in fields and (len(numbers) > 1 or (numbers and "run" in fields)):
@@ -102,6 +110,7 @@ def of_part(part: str, ids: frozenset[str]) -> tuple[Said, ...]:
     if person:
         found.append(Said("participant", part[person]))
         part = part[: person.start] + part[person.stop :]
+    part = DAY_FIRST.sub(lambda at: f"{at[3]}-{at[2]:0>2}-{at[1]:0>2}", part)
     date = DATE.search(part)
     if date:
         found.append(Said("session", date[0]))
@@ -126,6 +135,9 @@ def of_word(word: str) -> Iterator[Said]:
     if keyed and keyed[1].lower() in KEYS:
         yield from of_key(keyed[1].lower(), keyed[2])
         return
+    if word.lower().replace("-", "") in SESSIONS:  # re-test is no right side
+        yield Said("session", word)
+        return
     for each in word.split("-"):
         low, numbered, person = each.lower(), NUMBERED.fullmatch(each), PERSON.fullmatch(each)
         if low in OF_SIDES:
@@ -134,6 +146,8 @@ def of_word(word: str) -> Iterator[Said]:
             yield Said("session", each)
         elif numbered and numbered[1].lower() in KEYS:
             yield from of_key(numbered[1].lower(), numbered[2])
+        elif numbered and numbered[1].lower() == V:
+            yield Said(VISIT, numbered[2])
         elif each.isdecimal():
             yield Said(NUMBER, each)
         elif person and person[1].lower() not in NOBODY:
