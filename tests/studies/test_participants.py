@@ -23,7 +23,13 @@ def test_a_table_tells_who_the_people_are(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "header", ["Participant;Weight [g];Height (cm)", "subject_id;mass_g;stature_cm"]
+    "header",
+    [
+        "Participant;Weight [g];Height (cm)",
+        "subject_id;mass_g;stature_cm",
+        "Patient;Körpergewicht (g);Größe (cm)",
+        "Proband;Gewicht [g];Gro\u0308ße [cm]",  # as one system writes letters of two signs
+    ],
 )
 def test_units_in_a_name_are_heeded_and_decimal_commas_read(tmp_path, header):
     table = read_participants(write(tmp_path, f"{header}\nP01;77000,0;180,5\n"))
@@ -79,7 +85,10 @@ def test_of_a_person_with_two_body_masses_neither_is_told(tmp_path):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("name,mass\nP01,70\n", "has no column id. It holds: name, mass"),
+        (
+            "name,mass\nP01,70\n",
+            "that says who it is participant_id. It holds: name, mass",
+        ),
         ("", "is empty"),
         ("id,group\nP01,a,b\n", "line 2 has 3 cells, but the header names 2"),
         ("id,id\nP01,P02\n", "column id is there twice"),

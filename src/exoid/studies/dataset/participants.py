@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import MappingProxyType
+from unicodedata import normalize
 
 from exoid.files.text_file import naming, read_text
 from exoid.files.visible import visible
@@ -14,7 +15,10 @@ from exoid.studies.dataset.entry import Participant, Said
 from exoid.studies.dataset.tables.cells import Row, rows_of
 
 ENDINGS = (".csv", ".tsv", ".parquet", ".xlsx")
-IDS = ("participant_id", "id", "participant", "subject_id", "subject")
+IDS = (
+    *("participant_id", "id", "participant", "subject_id", "subject"),
+    *("patient_id", "patient", "proband", "probanden_id", "code"),
+)
 MISSING = ("", "n/a", "na", "nan", "none", "-", "?")
 NUMBER = re.compile(r"[+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 CODE = re.compile(r"0\d+")  # 007 is a name
@@ -23,11 +27,26 @@ CODE = re.compile(r"0\d+")  # 007 is a name
 # What columns call a quantity, and the sizes of its units; the first stands unless one is said.
 KILOGRAMS = {"kg": 1.0, "g": 1e-3, "lb": POUND, "lbs": POUND}
 METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254, "inch": 0.0254}
-YEARS = {"years": 1.0, "year": 1.0, "yr": 1.0, "y": 1.0, "months": 1 / 12, "month": 1 / 12}
+YEARS = {
+    **dict.fromkeys(("years", "year", "yr", "y", "jahre", "j", "ans", "anni"), 1.0),
+    **dict.fromkeys(("months", "month", "monate", "mois", "mesi"), 1 / 12),
+}
 QUANTITIES = {
-    "body_mass": (("body_mass", "bodymass", "body_weight", "weight", "mass"), KILOGRAMS),
-    "height": (("height", "body_height", "stature"), METRES),
-    "age": (("age",), YEARS),
+    "body_mass": (
+        (
+            *("body_mass", "bodymass", "body_weight", "weight", "mass"),
+            *("körpermasse", "körpergewicht", "gewicht", "poids", "peso"),
+        ),
+        KILOGRAMS,
+    ),
+    "height": (
+        (
+            *("height", "body_height", "stature"),
+            *("körpergröße", "größe", "groesse", "taille", "talla", "altezza"),
+        ),
+        METRES,
+    ),
+    "age": (("age", "alter", "âge", "edad", "età"), YEARS),
 }
 
 
@@ -73,7 +92,10 @@ def columns_of(rows: list[Row], units: Mapping[str, str]) -> list[Column]:
     names = [*rows[0].cells]
     key = next((each for wanted in IDS for each in names if plain(each) == wanted), None)
     if key is None:
-        raise ValueError(f"has no column id. It holds: {', '.join(names)[:200]}.")
+        raise ValueError(
+            "has no column id. Name the one that says who it is participant_id. It holds: "
+            f"{', '.join(names)[:200]}."
+        )
     found = [Column(key, "id")]
     for name in names:
         quantity = known_as(name, units.get(name, ""))
@@ -107,8 +129,8 @@ def person_of(row: Row, columns: list[Column], problems: list[str]) -> Participa
             more[column.name] = None if is_missing(cell) else number if column.size else cell
         if column.field and number is None and not is_missing(cell):
             problems.append(
-                f"{row.place}, column {column.name}: {cell[:40]!r} is not a number. Leave the cell "
-                "empty where it is unknown."
+                f"{row.place}, column {column.name}: {cell[:40]!r} is not a number. Write a number "
+                "alone, its unit in the column's name; leave the cell empty where it is unknown."
             )
     return Participant(id_of(row.cells[columns[0].name]), **told, more=MappingProxyType(more))
 
@@ -146,7 +168,7 @@ def units_beside(path: Path) -> dict[str, str]:
 
 def plain(name: str) -> str:
     """A name in lower case, its words by underlines: `Height [cm]` is height_cm."""
-    return re.sub(r"[\W_]+", "_", name.lower()).strip("_")
+    return re.sub(r"[\W_]+", "_", normalize("NFC", name).lower()).strip("_")
 
 
 def is_missing(cell: str) -> bool:
