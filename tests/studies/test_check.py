@@ -32,6 +32,16 @@ def test_a_recording_that_cannot_be_read_has_its_reason(sound):
     assert str(sound) not in says
 
 
+def test_a_column_that_may_be_a_gyro_and_is_not_read_is_told(sound):
+    path = sound / NAMES[0]
+    head, *rows = path.read_text().splitlines()
+    head = head.replace("time_s", "t")  # another's table
+    path.write_text("\n".join([f"{head},Drehrate (°/s)", *(f"{each},0.1" for each in rows)]))
+    level, where, says = only(sound, "gyro not read")
+    assert (level, where) == ("warning", NAMES[0])
+    assert 'raw_velocity_deg_s = "..." under [columns]' in says
+
+
 def test_a_locked_file_has_its_reason(sound, monkeypatch):
     opened = Path.open
 

@@ -18,6 +18,7 @@ from exoid.recordings.tables.units import plain, size_of
 
 LARGEST_RADIANS = {"rad": 7.0, "rad/s": 35.0}  # beyond it a number without a unit is in degrees
 DEGREE = np.pi / 180
+GYRO_AMONG = "A gyro among them is named:"
 MISSPELT = 0.9  # two letters of a long name changed places
 
 
@@ -80,7 +81,7 @@ def assemble(
         notes += kept(unknown)
         columns |= {column.name: column.texts for column in others}
     else:
-        notes += left_out(sheet, unknown)
+        notes += left_out(sheet, others)
     return Named(without_empty(columns, notes), sheet.place, sources, tuple(notes))
 
 
@@ -235,7 +236,7 @@ def counted(sheet: Sheet, rate: float | None) -> np.ndarray:
 
 def check_angle(columns: Mapping[str, Cells], sheet: Sheet, taken: set[str]) -> None:
     if not any(name in columns for name in ANGLES):
-        if gyros([*columns, *sheet.names]):
+        if gyros(sheet.columns) or any("velocity" in name for name in columns):
             raise ValueError(
                 f"has no angle, and a turning rate alone is not enough: it does not tell where "
                 f"the leg hangs. It holds: {listed(sheet.names, 40)}. Record the knee's angle "
@@ -259,21 +260,27 @@ def asked_angle(sheet: Sheet, taken: set[str]) -> str:
     return sheet.ask.format(target).replace("...", one.name)
 
 
-def gyros(names: Iterable[str]) -> list[str]:
-    """Those that sound like a turning rate."""
-    return [each for each in names if "velocity" in each.lower() or "gyr" in each.lower()]
+def gyros(columns: Iterable[Column]) -> list[str]:
+    """Those that sound like a turning rate, or have its unit."""
+    return [
+        each.name
+        for each in columns
+        if "velocity" in each.name.lower()
+        or "gyr" in each.name.lower()
+        or size_of(each.unit, "rad/s") is not None
+    ]
 
 
 def kept(others: list[str]) -> list[str]:
     return [f"unknown column {name} is kept as text.{near(name, NUMERIC)}" for name in others]
 
 
-def left_out(sheet: Sheet, others: list[str]) -> list[str]:
+def left_out(sheet: Sheet, others: list[Column]) -> list[str]:
     if not others:
         return []
     ask = sheet.ask.format("raw_velocity_deg_s")
-    hint = f" A gyro among them is named: {ask}." if gyros(others) else ""
-    return [f"not read: {listed(others)}.{hint}"]
+    hint = f" {GYRO_AMONG} {ask}." if gyros(others) else ""
+    return [f"not read: {listed([each.name for each in others])}.{hint}"]
 
 
 def without_empty(columns: dict[str, Cells], notes: list[str]) -> dict[str, Cells]:

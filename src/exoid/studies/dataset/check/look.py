@@ -14,6 +14,7 @@ from exoid.recordings.loading.loaded import Loaded
 from exoid.recordings.rate import rate_of
 from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import classify
+from exoid.recordings.tables.assemble import GYRO_AMONG
 from exoid.studies.dataset.check.looked import Facts, Looked
 from exoid.studies.dataset.entry import Dataset, Entry
 from exoid.studies.dataset.recording_of import bare, loaded, told_beside, with_sidecar
@@ -62,6 +63,7 @@ def facts_of(read: Loaded) -> Facts:
         len(kinds),
         kinds.count("passive"),
         pull_of(recording, [n for n, kind in enumerate(kinds) if kind == "passive"]),
+        any(GYRO_AMONG in note for note in read.notes),
     )
 
 

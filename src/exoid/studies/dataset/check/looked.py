@@ -16,6 +16,7 @@ class Facts:
     segments: int
     drops: int  # of the segments, passive
     pull: Balance | None  # that draws the leg to rest
+    gyro_unread: bool = False  # is there a column that may be one, under a name of its own?
 
 
 @dataclass(frozen=True)

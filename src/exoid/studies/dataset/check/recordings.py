@@ -14,6 +14,10 @@ from exoid.studies.dataset.layout import said
 from exoid.studies.dataset.motion_bids.labels import label
 
 FIELDS = ("participant", "session", "side")
+GYRO_UNREAD = (
+    "a column may be a gyro's, by its name or unit, and is not read. Name it in the sidecar, or "
+    'for all in defaults.toml: raw_velocity_deg_s = "..." under [columns].'
+)
 CLOSE = {"body_mass": 0.1, "height": 0.02, "age": 0.1}  # relative; over a study people change
 
 
@@ -26,6 +30,8 @@ def recordings(dataset: Dataset, looked: list[Looked]) -> Findings:
         yield from twice_in_name(each.named, ids)
         yield from by_sidecar(each, dataset)
         yield from untold(each.entry)
+        if each.facts is not None and each.facts.gyro_unread:
+            yield warning("gyro not read", each.entry.name, GYRO_UNREAD)
     yield from unknown_keys(dataset)
     yield from doubled(dataset)
     yield from names_alike(each.named.name for each in looked)
