@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.fitting.misfit.neighbourhood import columns
+from exoid.fitting.misfit.neighbourhood import columns, pull_of_belief
 from exoid.fitting.misfit.uncertainty import VAGUE, Information
 from exoid.fitting.model.coordinates import layout
 from exoid.fitting.model.systematics import zero_of_torque
@@ -54,7 +54,7 @@ def moved(
     """
     each = {
         "clock": moved_by_clocks(problem, ended, information),
-        "torque_zero": moved_by_torque_zero(problem, ended),
+        "torque_zero": moved_by_torque_zero(problem, ended, information.free),
         "reflex_form": moved_by_law(problem, ended, information),
     }
     return Moved(each if by_law is None else each | {"missed_law": by_law[:, None]})
@@ -92,20 +92,29 @@ def moved_with(rows: np.ndarray, sizes: np.ndarray, information: Information) ->
     return root @ along.T * share
 
 
-def moved_by_torque_zero(problem: Problem, ended: SearchResult) -> np.ndarray:
+def moved_by_torque_zero(problem: Problem, ended: SearchResult, free: np.ndarray) -> np.ndarray:
     """How far it may have moved the fit, (coordinate, recording), in the units that the solver
-    sees; no column where no torque is measured, or where it is an unknown of the fit.
+    sees; no column where no torque is measured, or where it is an unknown of the fit. In the
+    `free` directions no bound holds the coordinates.
     """
     deviation = np.array([zero_of_torque(own) for own in problem.recordings])
     if "torque_zero" in problem.owned or not deviation.any():
         return np.zeros((len(ended.local.prior), 0))
-    known, crossed, square, slope, missed = normal_equations(problem, ended, deviation)
+    known, crossed, square, slope, missed, uphill = normal_equations(problem, ended, deviation)
     moved = np.linalg.solve(known, crossed.T)  # by a zero of one deviation
     told = variance_left(crossed, moved, square)
-    size = np.hypot(told * slope, np.sqrt(told))
+    unfinished = free @ (free.T @ uphill)  # what rises against a bound is at its end
+    size = np.hypot(shown(told, moved, slope, unfinished), np.sqrt(told))
     if ended.disturbance.scale > NOISY:  # what is missed would be taken for a zero
         size = np.maximum(size, hidden(told, missed))
     return moved * size
+
+
+def shown(told: np.ndarray, moved: np.ndarray, slope: np.ndarray, uphill: np.ndarray) -> np.ndarray:
+    """Of its deviation, the zero that the residual shows. A search ends near the minimum only: what
+    the slope there, `uphill`, makes of it, which the fit takes for something else, is taken off.
+    """
+    return told * (slope - uphill @ moved)
 
 
 def hidden(told: np.ndarray, missed: np.ndarray) -> np.ndarray:
@@ -124,8 +133,10 @@ def variance_left(crossed: np.ndarray, moved: np.ndarray, square: np.ndarray) ->
 
 def normal_equations(
     problem: Problem, ended: SearchResult, deviation: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """A'A + P, of the zero of every recording A'b, b'b and b'r, by one deviation of it, and r'r."""
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """A'A + P, of the zero of every recording A'b, b'b and b'r, by one deviation of it, r'r, and
+    how steeply the misfit still rises.
+    """
     found, local, owner = ended.disturbance, ended.local, np.asarray(problem.observation.owner)
     driven = np.array([kind == "measured" for kind in problem.kinds])
     per_inertia = driven * deviation[owner] / np.exp(ended.point.shared.log_inertia)
@@ -133,6 +144,7 @@ def normal_equations(
     size = len(local.prior)
     known, crossed = local.prior + VAGUE * np.eye(size), np.zeros((len(deviation), size))
     square, slope, missed = np.zeros((3, len(deviation)))
+    uphill = pull_of_belief(ended.point, ended.held or problem.belief.prior)
     scales = found.scale * found.weighing(problem.kinds)
     for number, place in enumerate(columns(ended.point, owner)):
         rows = seen.columns[number].reshape(len(place), -1) / scales[number]
@@ -140,8 +152,9 @@ def normal_equations(
             each[number].ravel() / scales[number] for each in (seen.responses[:, 0], seen.residual)
         )
         known[np.ix_(place, place)] += rows @ rows.T
+        uphill[place] += rows @ residual
         crossed[owner[number], place] += rows @ response
         square[owner[number]] += response @ response
         slope[owner[number]] += response @ residual
         missed[owner[number]] += residual @ residual
-    return known, crossed, square, slope, missed
+    return known, crossed, square, slope, missed, uphill
