@@ -11,22 +11,26 @@ import exoid
 GRAVITY, STIFFNESS, DAMPING = 26.5, 4.0, 0.5  # over J
 NOISE = np.radians([0.05, 0.15])  # rad, rad/s
 LONG = 8.0  # s
+RELAXING = 0.13  # s
 
 
-def drops(friction: float, drag: float) -> exoid.Recording:
-    """Three drops of a leg with F_c / J [1/s^2] and b / J [1/rad] beside Eq. 9."""
+def drops(friction: float, drag: float, tissue: float = 0.0) -> exoid.Recording:
+    """Three drops of a leg with F_c / J [1/s^2], b / J [1/rad] and k_1 / J [1/s^2] of tissue that
+    relaxes beside Eq. 9.
+    """
 
     def pull(_, state):
-        angle, rate = state
-        law = friction * np.tanh(rate / 2e-3) + drag * rate * abs(rate)
-        return [rate, -GRAVITY * np.cos(angle) - STIFFNESS * angle - DAMPING * rate - law]
+        angle, rate, lag = state
+        law = friction * np.tanh(rate / 2e-3) + drag * rate * abs(rate) + tissue * lag
+        falls = -GRAVITY * np.cos(angle) - STIFFNESS * angle - DAMPING * rate - law
+        return [rate, falls, rate - lag / RELAXING]
 
     time, random = np.arange(0.0, LONG, 0.01), np.random.default_rng(3)
     segments = []
     for start in (-0.2, -0.5, -0.35):
-        begin = [start, 0.0]
+        begin = [start, 0.0, 0.0]
         leg = solve_ivp(pull, (0, LONG), begin, "LSODA", time, rtol=1e-9, max_step=0.01)
-        angle, rate = leg.y + NOISE[:, None] * random.normal(size=leg.y.shape)
+        angle, rate = leg.y[:2] + NOISE[:, None] * random.normal(size=(2, time.size))
         segments.append(exoid.Segment(time, raw_angle=angle, raw_angular_velocity=rate))
     return exoid.Recording(tuple(segments))
 
@@ -53,6 +57,23 @@ def test_numbers_are_within_their_errors_and_where_it_says_with_the_law(friction
     fitted = exoid.fit(drops(friction, drag), multistart=2, terms=(term,))
     assert told(fitted) == []
     assert fitted.ratios["damping_over_inertia"].value == pytest.approx(with_law, abs=0.1 * off)
+
+
+def test_numbers_are_within_their_errors_where_tissue_relaxes():
+    """Its element is a spring to quick swings and a damper to slow ones: Eq. 9 has both."""
+    result = exoid.fit(drops(0.0, 0.0, tissue=2.0), multistart=2)
+    for name, true in (("damping", DAMPING), ("stiffness", STIFFNESS), ("gravity", GRAVITY)):
+        found = result.ratios[f"{name}_over_inertia"]
+        assert abs(found.value - true) < 2 * found.standard_error
+    damping = result.ratios["damping_over_inertia"]
+    assert damping.value - DAMPING > 0.1  # by which Eq. 9 alone errs
+    assert damping.standard_error < 0.4
+    (note,) = told(result)
+    assert "--with maxwell_element" in note
+    assert "t_r = 0.14 s" in note
+    size, with_law = (float(each) for each in re.findall(r"(?:J =|would be) ([0-9.e-]+)", note))
+    assert size == pytest.approx(2.0, rel=0.5)
+    assert abs(with_law - DAMPING) < 0.7 * (damping.value - DAMPING)
 
 
 def test_of_a_leg_that_obeys_nothing_is_said():

@@ -5,10 +5,14 @@ Dry friction and drag damp a swing as viscous damping does, by less or more of i
 A fit takes each for d; a little is left, as where the sensors are a little noisier. So it takes a
 constant torque on a rig, as friction that differs by direction is beside an even one, for a spring
 and a zero. Of a leg, whose spring is slack somewhere, `slack_angle` tells that.
+Dry friction and drag damp a swing as viscous damping does, by less or more of it as swings shrink;
+tissue that relaxes does it as far as it lags behind. A fit takes each for d; a little is left, as
+where the sensors are a little noisier.
 """
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -40,6 +44,40 @@ RATIOS = {
     "gravity": "m l g / J would be {:.4g} 1/s^2",
     "stiffness": "c / J {:.2g} 1/s^2",
 }
+from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
+from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
+
+
+@dataclass(frozen=True)
+class Law:
+    """A torque that damps, and its value over J along a motion, for a unit of the term's size."""
+
+    term: type[Term]
+    along: Callable[[np.ndarray, np.ndarray], np.ndarray]  # time [s], rate [rad/s]
+    of: str = ""  # what else it has, in words
+
+
+def lagging(time: np.ndarray, rate: np.ndarray, relaxation_time: float) -> np.ndarray:
+    """-(phi - z) with z' = (phi - z) / t_r, of tissue that was relaxed when the motion began."""
+    kept = np.exp(-np.diff(time) / relaxation_time)
+    gained = relaxation_time * (1 - kept) * (rate[1:] + rate[:-1]) / 2
+    lag = np.zeros(time.size)
+    for at, (share, more) in enumerate(zip(kept.tolist(), gained.tolist(), strict=True)):
+        lag[at + 1] = share * lag[at] + more
+    return -lag
+
+
+def relaxing(relaxation_time: float) -> Law:
+    """Of tissue that relaxes within so many seconds."""
+    along = partial(lagging, relaxation_time=relaxation_time)
+    return Law(MaxwellElement, along, f", t_r = {relaxation_time:.2g} s")
+
+
+LAWS = (
+    Law(CoulombFriction, lambda _, rate: -np.sign(rate)),
+    Law(QuadraticDrag, lambda _, rate: -rate * np.abs(rate)),
+    *map(relaxing, np.geomspace(0.1, 0.8, 7).tolist()),  # s; else it is as a spring or a damper
+)
 CLEAR = 4.0  # standard errors of its size
 MOSTLY = 0.5  # of the squares that are missed, that it takes away
 
@@ -48,8 +86,8 @@ MOSTLY = 0.5  # of the squares that are missed, that it takes away
 class MissedLaw:
     """A law of what is missed."""
 
-    term: type[Term]
-    size: float  # over J
+    law: Law
+    size: float  # of the term's first parameter, over J
     error: float
     steps: np.ndarray  # of the coordinates, from where they would be with it
     share: float  # of the squares that are missed, that it takes away
@@ -68,6 +106,10 @@ def missed_law(problem: Problem, ended: SearchResult, free: np.ndarray) -> Misse
     grams = grams_of(problem, ended)
     each = [law_of(problem, ended, free, grams, term) for term in asked_of(problem)]
     clear = [one for one in each if one.clear and one.share > MOSTLY]
+    having, grams = set(map(name_of, problem.terms)), grams_of(problem, ended)
+    laws = [law for law in LAWS if name_of(law.term) not in having]
+    each = [law_of(problem, ended, free, grams, law) for law in laws]
+    clear = [one for one in each if one.size > CLEAR * one.error and one.share > MOSTLY]
     return max(clear, key=lambda one: one.share, default=None)
 
 
@@ -89,17 +131,18 @@ def law_of(
     grams: Sequence[Grams],
     term: type[Term],
 ) -> MissedLaw:
+    law: Law,
+) -> DampingLaw:
     """How much of it the recording shows, near the end point of a fit without it."""
-    shapes = along_motion(problem, ended, LAWS[term])
+    shapes = along_motion(problem, ended, law)
     pull, told, size = answer(problem, ended, free, grams, shapes)
     error, size = (told**-0.5, size / told) if told > 0 else (np.inf, 0.0)
     share = size**2 * told * ended.disturbance.scale**2 / beyond_noise(problem, ended)
     return MissedLaw(term, size, error, size * pull, share)
+    return DampingLaw(law, size, error, size * pull, share)
 
 
-def along_motion(
-    problem: Problem, ended: SearchResult, law: Callable[[np.ndarray], np.ndarray]
-) -> list[np.ndarray]:
+def along_motion(problem: Problem, ended: SearchResult, law: Law) -> list[np.ndarray]:
     """The torque over J at the nodes of every segment that is nearest to the law's."""
     seen, rates = problem.observation, np.asarray(ended.best.angular_velocity[0])
     weights = np.asarray(seen.angle_weight + seen.velocity_weight) > 0
@@ -112,13 +155,13 @@ def nearest(
     rate: np.ndarray,
     counts: np.ndarray,
     nodes: np.ndarray,
-    law: Callable[[np.ndarray], np.ndarray],
+    law: Law,
 ) -> np.ndarray:
     """Its values at the nodes, by least squares up to the last sample that counts."""
     lasting = np.arange(time.size) <= np.flatnonzero(counts)[-1]
     rows = hats(time[lasting], nodes)
     normal = rows @ rows.T + JITTER * np.eye(nodes.size)
-    return np.linalg.solve(normal, rows @ law(rate[lasting]))
+    return np.linalg.solve(normal, rows @ law.along(time[lasting], rate[lasting]))
 
 
 def of_law(law: MissedLaw | None, problem: Problem, ended: SearchResult) -> list[str]:
@@ -131,6 +174,19 @@ def of_law(law: MissedLaw | None, problem: Problem, ended: SearchResult) -> list
         f"most of what is missed is as {in_words(law.term, problem)} would leave it, "
         f"{size.symbol} / J = {law.size:.2g} {ratio_unit(size)}: with it {with_it}. ± holds how "
         f"far numbers would move; fit it by --with {name_of(law.term)}."
+def of_law(found: DampingLaw | None, problem: Problem, ended: SearchResult) -> list[str]:
+    """What most of what is missed may be, what d / J would be with it, and what to do."""
+    if found is None:
+        return []
+    term = found.law.term
+    _, size = next(declarations(term))
+    damping = ended.local.quantities[problem.quantities.index("damping_over_inertia")]
+    here = float(ended.point.shared.damping)
+    there = here - float(damping @ found.steps)
+    return [
+        f"most of what is missed is as {term.title} would leave it, {size.symbol} / J = "
+        f"{found.size:.2g} {ratio_unit(size)}{found.law.of}: with it d / J would be {there:.4g} "
+        f"1/s. ± holds how far numbers would move; fit it by --with {name_of(term)}."
     ]
 
 
