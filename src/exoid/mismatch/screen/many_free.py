@@ -7,6 +7,7 @@ import jax
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.data.pace import parts_of
 from exoid.fitting.solve.program_cache import called
 from exoid.mismatch.screen.hypothesis import Effect, Hypothesis, Products
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
@@ -63,6 +64,7 @@ def of_group(
     """The arguments of these segments' program, and what is a part of it."""
     at = prepared.coordinates(candidate)
     point = replace(at, own=of(segments, at.own))
+    seen = replace(seen, parts=parts_of(prepared.problem.movements, candidate.terms))
     own, known = of(segments, (seen, prepared.problem.known))
     arguments = (candidate.values, point, candidate.zero, own, known, np.asarray(last_of(own)))
     return arguments, (candidate.terms, prepared.problem.chain)
