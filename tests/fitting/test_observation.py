@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from exoid.fitting.data import observe as observing
-from exoid.fitting.data.observe import LONGEST_STEP, bucket, observe
+from exoid.fitting.data.observe import bucket, observe
+from exoid.fitting.data.pace import LONGEST_STEP
 from exoid.fitting.data.segment import movement
 from exoid.fitting.model.systematics import SOMEWHERE
 from exoid.physics.leg import LegModel

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from exoid.fitting.data.observe import LONGEST_STEP
+from exoid.fitting.data.pace import LONGEST_STEP
 from exoid.recordings.declared.protocol import Kind
 from exoid.recordings.measured.segment import Segment
 from exoid.recordings.recording import Recording

@@ -3,7 +3,7 @@
 import numpy as np
 
 from exoid.fitting.amount.part import Part, together
-from exoid.fitting.data.observe import LONGEST_STEP
+from exoid.fitting.data.pace import LONGEST_STEP
 from exoid.recordings.conventions.thin import of_means
 from exoid.recordings.measured.samples import Samples, block_size
 from exoid.recordings.measured.segment import Segment

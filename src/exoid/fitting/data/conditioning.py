@@ -4,7 +4,7 @@ import numpy as np
 
 from exoid.fitting.data.conditioning_chain import Chain, MovingAverage, Raw, SteadyKalman
 from exoid.fitting.data.movement import Movement, weightless, with_channels
-from exoid.fitting.data.observe import LONGEST_STEP
+from exoid.fitting.data.pace import LONGEST_STEP
 from exoid.recordings.measured.samples import Samples
 from exoid.recordings.signal.condition import moving_average
 

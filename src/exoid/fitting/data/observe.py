@@ -10,7 +10,7 @@ from scipy.interpolate import make_interp_spline
 from exoid.fitting.data.guide import guide_of
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observation import Clock, Observation
-from exoid.fitting.data.pace import parts_of
+from exoid.fitting.data.pace import LONGEST_STEP, parts_of
 from exoid.fitting.data.time_jitter import TimeJitter
 from exoid.fitting.model.systematics import SOMEWHERE, beside_unplaced
 from exoid.physics.motion.step import Drive
@@ -20,7 +20,6 @@ from exoid.recordings.measured.samples import Samples
 from exoid.recordings.signal.condition import stands, torque_frequencies
 from exoid.recordings.signal.local_line import interpolated
 
-LONGEST_STEP = 0.02  # s; a gap or slow sampling is bridged by samples that weigh nothing
 LITTLE = 0.01  # of a torque, that lines between its samples may lose
 SPLINE = 5  # order of a smooth torque's spline
 STANDS = 30  # samples in a row of one value: noise of a third of a step makes one of 1000 as long

@@ -9,6 +9,7 @@ from exoid.recordings.remembered import remembered
 from exoid.recordings.signal import turns
 from exoid.recordings.signal.turns import QUICK
 
+LONGEST_STEP = 0.02  # s; a gap or slow sampling is bridged by samples that weigh nothing
 LEG = 5.0  # rad/s, a leg's pace
 RADIANS = 0.2  # of an oscillation that a Runge-Kutta step may span: 0.2^4 / 120 is 1.3e-5 a radian
 MOST_PARTS = 16  # of a step
@@ -26,14 +27,14 @@ def quickest(movements: list[Movement]) -> float:
 
 
 def parts_of(movements: list[Movement], terms: tuple[type[Term], ...] = ()) -> int:
-    """Into how many parts a step between samples is cut: 1 of whatever is as slow as a leg."""
+    """Into how many parts a step of the simulation is cut: 1 of whatever is as slow as a leg."""
     steps = [float(np.median(np.diff(each.segment.time))) for each in movements]
     rates = map(pace, movements)
     wanted = [
         rate * step / RADIANS for rate, step in zip(rates, steps, strict=True) if rate > QUICK
     ]
     quick = int(min(np.ceil(max(wanted, default=1.0)), MOST_PARTS))
-    return max(quick, parts_to_follow(terms, max(steps)))
+    return max(quick, parts_to_follow(terms, min(max(steps), LONGEST_STEP)))
 
 
 def unhurried(movement: Movement, width: float) -> float:

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
-from exoid.fitting.data.observe import LONGEST_STEP, with_gaps_bridged
+from exoid.fitting.data.observe import with_gaps_bridged
+from exoid.fitting.data.pace import LONGEST_STEP
 from exoid.interchange.formula.expression import ZERO, Expression
 from exoid.physics.term import Term
 from exoid.physics.torque import Torque
