@@ -1,18 +1,15 @@
 """What most of what is missed may be: a law beside Eq. 9, and how far the numbers are from where
 they would be with it.
 
-Dry friction and drag damp a swing as viscous damping does, by less or more of it as swings shrink.
-A fit takes each for d; a little is left, as where the sensors are a little noisier. So it takes a
-constant torque on a rig, as friction that differs by direction is beside an even one, for a spring
-and a zero. Of a leg, whose spring is slack somewhere, `slack_angle` tells that.
 Dry friction and drag damp a swing as viscous damping does, by less or more of it as swings shrink;
 tissue that relaxes does it as far as it lags behind. A fit takes each for d; a little is left, as
-where the sensors are a little noisier.
+where the sensors are a little noisier. So it takes a constant torque on a rig, as friction that
+differs by direction is beside an even one, for a spring and a zero. Of a leg, whose spring is slack
+somewhere, `slack_angle` tells that.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 
@@ -21,63 +18,17 @@ from exoid.fitting.misfit.gram_matrices import JITTER, hats, nodes_of
 from exoid.fitting.model.term_parameters import ratio_unit
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.remarks.pushed.answer import answer, beyond_noise, grams_of
-from exoid.fitting.result.remarks.zero.leaning import CONSTANT
+from exoid.fitting.result.remarks.pushed.laws import CONSTANT, LAWS, Law
+from exoid.fitting.result.remarks.zero.leaning import CONSTANT as CONSTANTS
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.parameter import declarations
-from exoid.physics.term import Term, holds, name_of
-from exoid.physics.terms.device.coulomb_friction import CoulombFriction
-from exoid.physics.terms.device.torque_bias import TorqueBias
-from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
+from exoid.physics.term import holds, name_of
 
-LAWS: dict[type[Term], Callable[[np.ndarray], np.ndarray]] = {  # over J, of one unit
-    CoulombFriction: lambda rate: -np.sign(rate),
-    QuadraticDrag: lambda rate: -rate * np.abs(rate),
-    TorqueBias: np.ones_like,
-}
-BOOKED = {  # what a fit without it takes it for
-    CoulombFriction: ("damping",),
-    QuadraticDrag: ("damping",),
-    TorqueBias: ("gravity", "stiffness"),
-}
 RATIOS = {
     "damping": "d / J would be {:.4g} 1/s",
     "gravity": "m l g / J would be {:.4g} 1/s^2",
     "stiffness": "c / J {:.2g} 1/s^2",
 }
-from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
-from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
-
-
-@dataclass(frozen=True)
-class Law:
-    """A torque that damps, and its value over J along a motion, for a unit of the term's size."""
-
-    term: type[Term]
-    along: Callable[[np.ndarray, np.ndarray], np.ndarray]  # time [s], rate [rad/s]
-    of: str = ""  # what else it has, in words
-
-
-def lagging(time: np.ndarray, rate: np.ndarray, relaxation_time: float) -> np.ndarray:
-    """-(phi - z) with z' = (phi - z) / t_r, of tissue that was relaxed when the motion began."""
-    kept = np.exp(-np.diff(time) / relaxation_time)
-    gained = relaxation_time * (1 - kept) * (rate[1:] + rate[:-1]) / 2
-    lag = np.zeros(time.size)
-    for at, (share, more) in enumerate(zip(kept.tolist(), gained.tolist(), strict=True)):
-        lag[at + 1] = share * lag[at] + more
-    return -lag
-
-
-def relaxing(relaxation_time: float) -> Law:
-    """Of tissue that relaxes within so many seconds."""
-    along = partial(lagging, relaxation_time=relaxation_time)
-    return Law(MaxwellElement, along, f", t_r = {relaxation_time:.2g} s")
-
-
-LAWS = (
-    Law(CoulombFriction, lambda _, rate: -np.sign(rate)),
-    Law(QuadraticDrag, lambda _, rate: -rate * np.abs(rate)),
-    *map(relaxing, np.geomspace(0.1, 0.8, 7).tolist()),  # s; else it is as a spring or a damper
-)
 CLEAR = 4.0  # standard errors of its size
 MOSTLY = 0.5  # of the squares that are missed, that it takes away
 
@@ -95,7 +46,7 @@ class MissedLaw:
     @property
     def clear(self) -> bool:
         """Is it told by the recording, and not below 0 where it can only brake?"""
-        size = abs(self.size) if self.term is TorqueBias else self.size
+        size = self.size if self.law.one_way else abs(self.size)
         return size > CLEAR * self.error
 
 
@@ -104,23 +55,17 @@ def missed_law(problem: Problem, ended: SearchResult, free: np.ndarray) -> Misse
     if ended.disturbance.cause is None:
         return None
     grams = grams_of(problem, ended)
-    each = [law_of(problem, ended, free, grams, term) for term in asked_of(problem)]
+    each = [law_of(problem, ended, free, grams, law) for law in asked_of(problem)]
     clear = [one for one in each if one.clear and one.share > MOSTLY]
-    having, grams = set(map(name_of, problem.terms)), grams_of(problem, ended)
-    laws = [law for law in LAWS if name_of(law.term) not in having]
-    each = [law_of(problem, ended, free, grams, law) for law in laws]
-    clear = [one for one in each if one.size > CLEAR * one.error and one.share > MOSTLY]
     return max(clear, key=lambda one: one.share, default=None)
 
 
-def asked_of(problem: Problem) -> list[type[Term]]:
+def asked_of(problem: Problem) -> list[Law]:
     """The laws that it may be, whose term the model does not have."""
     having = set(map(name_of, problem.terms))
-    constant = problem.belief.rig and not CONSTANT & having
+    constant = problem.belief.rig and not CONSTANTS & having
     return [
-        term
-        for term in LAWS
-        if name_of(term) not in having and (constant or term is not TorqueBias)
+        law for law in LAWS if name_of(law.term) not in having and (constant or law != CONSTANT)
     ]
 
 
@@ -129,17 +74,14 @@ def law_of(
     ended: SearchResult,
     free: np.ndarray,
     grams: Sequence[Grams],
-    term: type[Term],
-) -> MissedLaw:
     law: Law,
-) -> DampingLaw:
+) -> MissedLaw:
     """How much of it the recording shows, near the end point of a fit without it."""
     shapes = along_motion(problem, ended, law)
     pull, told, size = answer(problem, ended, free, grams, shapes)
     error, size = (told**-0.5, size / told) if told > 0 else (np.inf, 0.0)
     share = size**2 * told * ended.disturbance.scale**2 / beyond_noise(problem, ended)
-    return MissedLaw(term, size, error, size * pull, share)
-    return DampingLaw(law, size, error, size * pull, share)
+    return MissedLaw(law, size, error, size * pull, share)
 
 
 def along_motion(problem: Problem, ended: SearchResult, law: Law) -> list[np.ndarray]:
@@ -164,43 +106,31 @@ def nearest(
     return np.linalg.solve(normal, rows @ law.along(time[lasting], rate[lasting]))
 
 
-def of_law(law: MissedLaw | None, problem: Problem, ended: SearchResult) -> list[str]:
+def of_law(found: MissedLaw | None, problem: Problem, ended: SearchResult) -> list[str]:
     """What most of what is missed may be, what the ratios would be with it, and what to do."""
-    if law is None:
-        return []
-    _, size = next(declarations(law.term))
-    with_it = ", ".join(ratios_with(law, problem, ended))
-    return [
-        f"most of what is missed is as {in_words(law.term, problem)} would leave it, "
-        f"{size.symbol} / J = {law.size:.2g} {ratio_unit(size)}: with it {with_it}. ± holds how "
-        f"far numbers would move; fit it by --with {name_of(law.term)}."
-def of_law(found: DampingLaw | None, problem: Problem, ended: SearchResult) -> list[str]:
-    """What most of what is missed may be, what d / J would be with it, and what to do."""
     if found is None:
         return []
-    term = found.law.term
-    _, size = next(declarations(term))
-    damping = ended.local.quantities[problem.quantities.index("damping_over_inertia")]
-    here = float(ended.point.shared.damping)
-    there = here - float(damping @ found.steps)
+    law = found.law
+    _, size = next(declarations(law.term))
+    with_it = ", ".join(ratios_with(found, problem, ended))
     return [
-        f"most of what is missed is as {term.title} would leave it, {size.symbol} / J = "
-        f"{found.size:.2g} {ratio_unit(size)}{found.law.of}: with it d / J would be {there:.4g} "
-        f"1/s. ± holds how far numbers would move; fit it by --with {name_of(term)}."
+        f"most of what is missed is as {in_words(law, problem)} would leave it, {size.symbol} / J "
+        f"= {found.size:.2g} {ratio_unit(size)}{law.of}: with it {with_it}. ± holds how far "
+        f"numbers would move; fit it by --with {name_of(law.term)}."
     ]
 
 
-def in_words(term: type[Term], problem: Problem) -> str:
+def in_words(law: Law, problem: Problem) -> str:
     """What the law is called; a constant torque beside dry friction is friction by direction."""
-    if term is not TorqueBias:
-        return term.title
+    if law != CONSTANT:
+        return law.term.title
     even = any(map(holds, problem.terms))
     return "a constant torque (friction that differs by direction)" if even else "a constant torque"
 
 
-def ratios_with(law: MissedLaw, problem: Problem, ended: SearchResult) -> Iterator[str]:
+def ratios_with(found: MissedLaw, problem: Problem, ended: SearchResult) -> Iterator[str]:
     """What the ratios would be with it that a fit without it takes it for."""
-    for name in BOOKED[law.term]:
+    for name in found.law.booked:
         gradient = ended.local.quantities[problem.quantities.index(f"{name}_over_inertia")]
-        if off := float(gradient @ law.steps):
+        if off := float(gradient @ found.steps):
             yield RATIOS[name].format(float(getattr(ended.point.shared, name)) - off)
