@@ -12,6 +12,7 @@ from exoid.fitting.model.systematics import (
     OWNED,
     SOMEWHERE,
 )
+from exoid.fitting.multistart.pulled_by_declared import led
 from exoid.fitting.multistart.rare import undeclared
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.chief import WORDS
@@ -35,17 +36,18 @@ TOLD = 0.7  # of its prior's error: below it the recording has told something
 
 def estimate_mountings(basis: Basis, moved: Moved) -> list[MountingFit]:
     """What every recording owned, where the recording tells more than was known before. Its error
-    holds how far the fit may have `moved`.
+    holds how far the fit may have `moved`, and how far what it misses may have led it.
     """
     problem, point = basis.problem, basis.ended.point
-    laid = layout(point)
+    laid, astray = layout(point), led(problem, basis.ended)
 
     def estimate(field: str, entry: int) -> Estimate | None:
         if not problem.estimates(field, entry) or in_no_unit(problem, field):
             return None
         at = int(getattr(laid.places.mounting, field)[entry])
         gradient = laid.units * (np.arange(laid.size) == at)
-        error = float(np.hypot(basis.information.standard_error(gradient), moved.off(gradient)))
+        parts = basis.information.standard_error(gradient), moved.off(gradient), gradient @ astray
+        error = float(np.linalg.norm(parts))
         unplaced = any(one.unplaced for one in problem.recordings[entry])
         always = field in OF_THE_GYRO or (field == "log_distance" and unplaced)
         if not (always or error < TOLD * problem.deviation_of(field)[entry]):
