@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 
 import exoid
 from exoid.mismatch.missing_physics import diagnose
-from exoid.report.tables.diagnosis import print_diagnosis
+from exoid.report.tables.mismatch.diagnosis import print_diagnosis
 
 
 def test_what_is_too_short_is_said_at_once_whatever_its_sensors_do():

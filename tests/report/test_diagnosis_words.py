@@ -20,7 +20,7 @@ from exoid.mismatch.sensors.agreement import OwnValue, SensorError
 from exoid.physics.sensing.clock_rate import ClockRate
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
-from exoid.report.tables.diagnosis import print_diagnosis, suspects
+from exoid.report.tables.mismatch.diagnosis import print_diagnosis, suspects
 from exoid.report.words.astray import astray
 from exoid.report.words.diagnosis.asserted import ran_free
 from exoid.report.words.diagnosis.cause import parameter

@@ -48,7 +48,7 @@ from exoid.report.pictures.role import Role
 from exoid.report.pictures.search import costs_of, family_of, pairs_of
 from exoid.report.plots.diagnosis import parting, plot_diagnosis
 from exoid.report.plots.draw import draw as draw_print
-from exoid.report.tables.diagnosis import candidates, legend
+from exoid.report.tables.mismatch.diagnosis import candidates, legend
 from exoid.report.words.typeset import with_formulas, with_mathtext
 from swings import drop
 

@@ -22,7 +22,7 @@ from exoid.report.plots.diagnosis import plot_diagnosis
 from exoid.report.saved.saved_result import load_result, save_result
 from exoid.report.tables.compare import compare
 from exoid.report.tables.comparison import comparison_document, print_comparison
-from exoid.report.tables.diagnosis import print_diagnosis
+from exoid.report.tables.mismatch.diagnosis import print_diagnosis
 
 CASES = {"found": found, "nothing": nothing, "novel": novel, "doubtful": doubtful}
 

@@ -20,8 +20,8 @@ from exoid.report.page import build_page
 from exoid.report.sections.parameters import parameters_of
 from exoid.report.tables.compare import ComparedQuantity
 from exoid.report.tables.comparison import quantities
-from exoid.report.tables.diagnosis import suspects
 from exoid.report.tables.leg import before_and_after, in_print, parameters, ratios, segments
+from exoid.report.tables.mismatch.diagnosis import suspects
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.text import with_error
 from exoid.report.words.typeset import formula, tidy

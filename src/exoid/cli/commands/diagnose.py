@@ -84,7 +84,7 @@ def diagnose(
     told = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
     named, taken = take_all(paths, body, **told)
     from exoid.report.document.diagnosis_json import diagnosis_document
-    from exoid.report.tables.diagnosis import print_diagnosis
+    from exoid.report.tables.mismatch.diagnosis import print_diagnosis
 
     found = in_phases(lambda told: diagnosed(named, own, options, told))
     introduce(named)

@@ -10,8 +10,8 @@ from exoid.report.parts.case import Case
 from exoid.report.pictures.mismatch.causes import show_causes
 from exoid.report.sections.blocks import Block, element
 from exoid.report.sections.section import section
-from exoid.report.tables.diagnosis import candidates, legend, suspects
 from exoid.report.tables.leg import before_and_after
+from exoid.report.tables.mismatch.candidates import candidates, legend, suspects
 from exoid.report.tables.table import Table
 from exoid.report.words.diagnosis.cause import value
 from exoid.report.words.diagnosis.leg import beside

@@ -19,10 +19,10 @@ from exoid.fitting.model.term_parameters import ratio_unit
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.remarks.pushed.answer import answer, beyond_noise, grams_of
 from exoid.fitting.result.remarks.pushed.laws import CONSTANT, LAWS, Law
-from exoid.fitting.result.remarks.zero.leaning import CONSTANT as CONSTANTS
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.parameter import declarations
 from exoid.physics.term import holds, name_of
+from exoid.physics.terms.constant_torques import CONSTANT_TORQUES
 
 RATIOS = {
     "damping": "d / J would be {:.4g} 1/s",
@@ -63,7 +63,7 @@ def missed_law(problem: Problem, ended: SearchResult, free: np.ndarray) -> Misse
 def asked_of(problem: Problem) -> list[Law]:
     """The laws that it may be, whose term the model does not have."""
     having = set(map(name_of, problem.terms))
-    constant = problem.belief.rig and not CONSTANTS & having
+    constant = problem.belief.rig and not CONSTANT_TORQUES & having
     return [
         law for law in LAWS if name_of(law.term) not in having and (constant or law != CONSTANT)
     ]

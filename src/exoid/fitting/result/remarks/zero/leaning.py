@@ -9,7 +9,6 @@ BENT = np.radians(30.0)  # of flexion, where a spring may well be slack: Riener 
 BEYOND = 1.5  # times what one makes of the ratios that is slack at BENT
 STIFFER = 2.0  # times as stiff as by the fit that a remark takes the leg for, at most, or as soft
 CLEAR = 4.0  # errors of a constant torque from which on it is worth a sentence
-CONSTANT = {"stiffness_rest_angle", "torque_bias"}  # terms of a constant torque
 LEANING = ("gravity_over_inertia", "stiffness_over_inertia")
 
 

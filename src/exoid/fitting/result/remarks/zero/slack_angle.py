@@ -17,13 +17,13 @@ from exoid.fitting.result.remarks.pushed.answer import (
 )
 from exoid.fitting.result.remarks.zero.leaning import (
     BENT,
-    CONSTANT,
     LEANING,
     STIFFER,
     Leaning,
 )
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.term import name_of
+from exoid.physics.terms.constant_torques import CONSTANT_TORQUES
 
 TOLD = np.radians(5.0)  # error of the rest angle below which a fit by itself shows one of BENT
 FELT, WORTH = 2.0, 0.01  # errors, and share, of a ratio left open where the rest angle is told
@@ -61,7 +61,7 @@ def leaning(
     model has no spring or a constant torque of its own.
     """
     stiffness, terms = float(ended.point.shared.stiffness), map(name_of, problem.terms)
-    if problem.belief.rig or stiffness <= 0 or CONSTANT & set(terms):
+    if problem.belief.rig or stiffness <= 0 or CONSTANT_TORQUES & set(terms):
         return None
     grams, constant = grams_of(problem, ended), [1.0] * len(problem.kinds)
     pull, left, seen = answer(problem, ended, free, grams, constant)
