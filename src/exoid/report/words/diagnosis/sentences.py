@@ -1,14 +1,15 @@
 """A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
 
+from dataclasses import replace
 from math import hypot
 
-from exoid.fitting.result.remarks.noise_remarks import of_play, times_off
 from exoid.fitting.result.remarks.rig_words import of_rig
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
-from exoid.mismatch.answer.over_inertia import guessed
+from exoid.mismatch.answer.over_inertia import OVER, guessed, parameters_shown
 from exoid.mismatch.sensors.agreement import OwnValue, SensorError
+from exoid.physics.library import library
+from exoid.physics.term import holds, name_of
 from exoid.recordings.tables.sheet import listed
-from exoid.report.words.diagnosis.alike import alike
 from exoid.report.words.diagnosis.asserted import only_sensors, only_usual, parted, reason
 from exoid.report.words.diagnosis.cause import explanations, for_inertia, named, parameter
 from exoid.report.words.diagnosis.certainty import (
@@ -16,10 +17,12 @@ from exoid.report.words.diagnosis.certainty import (
     how_sure,
     suspected,
     trust,
+    twins,
 )
 from exoid.report.words.diagnosis.leg import booked, doubted
 from exoid.report.words.diagnosis.located import located
 from exoid.report.words.diagnosis.remainder import remains
+from exoid.report.words.diagnosis.samples import of_plays, of_times
 from exoid.report.words.text import in_words
 
 APART = 3.0  # standard errors, within which two tell the same
@@ -61,6 +64,39 @@ def sentences(found: Diagnosis) -> dict[str, str]:
 def whose(found: Diagnosis) -> str:
     """The heading of what is said of its numbers."""
     return "The rig" if found.location.rig else "The leg"
+
+
+def alike(found: Diagnosis) -> list[str]:
+    """What may act in the place of a cause, how large it is then, and no recording of motion tells
+    which of the two it is.
+    """
+    named = [f"or {title}{size_of(name, found)}" for name, title in twins(found).items()]
+    return [f"{each}, which would look exactly alike" for each in (*named, *by_direction(found))]
+
+
+def by_direction(found: Diagnosis) -> list[str]:
+    """Dry friction beside a constant torque is, whether it slides or sticks, friction that differs
+    by direction: F - tau_b towards extension, F + tau_b towards flexion.
+    """
+    frictions = {f"{name_of(term)}.level" for term in library() if holds(term)}
+    shown = {each.name.split()[0]: each for each in parameters_shown(found, found.parameters)}
+    level = next((each for name, each in shown.items() if name in frictions), None)
+    bias = shown.get("torque_bias.bias")
+    if level is None or bias is None or not level.value > abs(bias.value):
+        return []
+    each = f"{level.value - bias.value:.3g}", f"{level.value + bias.value:.3g}"
+    return [
+        f"or, in the place of both, friction that differs by direction, {each[0]} {level.unit} "
+        f"towards extension and {each[1]} {level.unit} towards flexion"
+    ]
+
+
+def size_of(twin: str, found: Diagnosis) -> str:
+    """How large it is: a torque for the inertia that the numbers go with, and over that."""
+    own = [each for each in found.twins if each.name.startswith(f"{twin}.")]
+    untold = guessed(found.fit) and any(each.name.endswith(OVER) for each in own)
+    shown = [each for each in own if not (untold and each.unit.startswith("N m"))]
+    return "".join(f", {parameter(replace(e, name=e.name.replace(OVER, ' / J')))}" for e in shown)
 
 
 def where(found: Diagnosis) -> str:
@@ -143,22 +179,4 @@ def as_if_alone(errors: list[SensorError], found: Diagnosis) -> str:
     return (
         f"as if by {listed(list(map(parameter, errors)))} ({BY_NOISE}) were there no "
         f"{' and no '.join(rest)}: beside that it is as large as named above"
-    )
-
-
-def of_plays(found: Diagnosis) -> str:
-    """The play between leg and encoder, of every recording that has some."""
-    movements = found.before.basis.problem.movements if found.before.basis else []
-    plays = dict.fromkeys(each.noise.play for each in movements if each.noise.play is not None)
-    return " ".join(f"{said[0].upper()}{said[1:]}" for said in map(of_play, plays))
-
-
-def of_times(found: Diagnosis) -> str:
-    """How far times are off, each by its own; nothing where noise does not grow with speed."""
-    movements = found.before.basis.problem.movements if found.before.basis else []
-    off = next(filter(None, map(times_off, movements)), "")
-    return (
-        f"Times are off by {off} (one standard deviation): faster samples count less."
-        if off
-        else ""
     )
