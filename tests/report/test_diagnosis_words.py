@@ -454,11 +454,11 @@ def test_the_best_candidate_is_listed_once_whichever_way_led_to_it(listed):
 def test_friction_beside_a_constant_torque_may_be_friction_that_differs_by_direction():
     """Of 1.2 N m towards extension and 2.0 N m towards flexion, say."""
     one, (cause,) = found(), found().findings
-    friction = Parameter("coulomb_friction.level", 1.6, "N m", 0.01)
-    pull = Parameter("torque_bias.bias", 0.4, "N m", 0.01)
+    friction = Parameter("coulomb_friction.level", 1.6, "N m", 0.03)
+    pull = Parameter("torque_bias.bias", 0.4, "N m", 0.04)
     both = [cause, replace(cause, name="torque_bias")]
     said = sentences(replace(one, findings=both, parameters=[friction, pull]))["Missing"]
-    assert "differs by direction, 1.2 N m towards extension and 2 N m towards flexion" in said
+    assert "differs by direction, 1.200 ± 0.050 N m towards extension and 2.000 ± 0.050 N m" in said
     stronger = replace(pull, value=-2.0)  # would push what moves
     for parameters in ([friction], [pull], [friction, stronger]):
         said = sentences(replace(one, findings=both, parameters=parameters))["Missing"]

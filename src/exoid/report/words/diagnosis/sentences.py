@@ -23,7 +23,7 @@ from exoid.report.words.diagnosis.leg import booked, doubted
 from exoid.report.words.diagnosis.located import located
 from exoid.report.words.diagnosis.remainder import remains
 from exoid.report.words.diagnosis.samples import of_plays, of_times
-from exoid.report.words.text import in_words
+from exoid.report.words.text import in_words, with_error
 
 APART = 3.0  # standard errors, within which two tell the same
 BY_NOISE = "± by noise alone, whichever of them errs"
@@ -84,7 +84,8 @@ def by_direction(found: Diagnosis) -> list[str]:
     bias = shown.get("torque_bias.bias")
     if level is None or bias is None or not level.value > abs(bias.value):
         return []
-    each = f"{level.value - bias.value:.3g}", f"{level.value + bias.value:.3g}"
+    error = hypot(level.standard_error or 0.0, bias.standard_error or 0.0)
+    each = [with_error(level.value + way * bias.value, error) for way in (-1, 1)]
     return [
         f"or, in the place of both, friction that differs by direction, {each[0]} {level.unit} "
         f"towards extension and {each[1]} {level.unit} towards flexion"
