@@ -75,6 +75,8 @@ def test_where_nobody_says_that_damping_stays_it_limits_the_inertia_and_a_way_ou
     said = next(each for each in limiting(found) if "damping stays the same under load" in each)
     # g / G is where the mass alone swings as fast as the leg: there it changes nothing of G.
     assert f"at {9.81 / (MOMENT / INERTIA):.2f} m not at all" in said
+    (alone, *_) = limiting(found, inertia)  # as a plan asks
+    assert alone.rpartition(":")[2] == said.rpartition(":")[2]
 
 
 @pytest.mark.slow

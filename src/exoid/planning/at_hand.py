@@ -1,6 +1,5 @@
 """What the fit of the recordings at hand says of a goal, and what of it no further one narrows."""
 
-from dataclasses import replace
 from math import hypot, inf, sqrt
 
 from exoid.fitting.result.chief import WORTH
@@ -57,5 +56,4 @@ def remarks_on(goal: str, result: FitResult, now: AtHand, unit: str) -> list[str
             "full extension (Eq. 9), in the errors expected here, too: the hanging angle without "
             "and with a known mass tells that, and 'exoid diagnose' asks it."
         )
-    own = {goal: each}
-    return [*said, *limiting(replace(result, parameters={}, ratios=own))]
+    return [*said, *limiting(result, each)]

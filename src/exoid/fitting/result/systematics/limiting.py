@@ -6,6 +6,7 @@ import numpy as np
 
 from exoid.fitting.model.systematics import OF_THE_LOAD
 from exoid.fitting.result.chief import WORDS, chief
+from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks.anatomy_remarks import SWING
 from exoid.fitting.solve.problem import Problem
@@ -34,12 +35,13 @@ ADVICE = {
 }
 
 
-def limiting(result: FitResult) -> list[str]:
-    """One sentence for each systematic that limits something: what, and what to do. What else
-    limits a number has a note of its own.
+def limiting(result: FitResult, only: Estimate | None = None) -> list[str]:
+    """One sentence for each systematic that limits something, or one number `only`: what, and what
+    to do. What else limits a number has a note of its own.
     """
     found: dict[str, list[str]] = {}
-    for each in (*result.parameters.values(), *result.ratios.values()):
+    every = (*result.parameters.values(), *result.ratios.values())
+    for each in every if only is None else [only]:
         if each.standard_error and (most := chief(each)) and most[0] in WORDS:
             found.setdefault(most[0], []).append(f"{each.symbol} ({most[1]:.0%})")
     return [
