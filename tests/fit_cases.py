@@ -28,7 +28,7 @@ BODY = replace(STEADY, kind="leg", body_mass=74.0, height=1.78)
 NOISE = Sensors(angle_noise=8.7e-4, velocity_noise=1.8e-3)  # what the exoskeleton's sensors have
 DROP = Movement(np.radians(-12), 2.3)
 LOADED = Movement(np.radians(-12), 2.3, added_mass=1.0, added_mass_distance=0.4)
-UNMOVED = Mounting(*[np.zeros(0)] * 12)  # of a recording that is just as declared
+UNMOVED = Mounting(*[np.zeros(0)] * 14)  # of a recording that is just as declared
 CYCLE = Movement(np.radians(-6), 1.19, amplitude=-4.0)
 
 

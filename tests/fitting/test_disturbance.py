@@ -41,6 +41,7 @@ SEEN = Observation(
     thigh_angle=ONE,
     added_mass_moves=ONE,
     added_mass_extent=0 * ONE,
+    apart=0 * ONE,
     heavier=0 * ONE,
     damped=ONE,
     stiffened=ONE,

@@ -116,12 +116,14 @@ def with_masses(seen: Observation, fitted: Mounting, owned: tuple[str, ...]) -> 
         entries = np.asarray(getattr(fitted, name))
         return entries[owner] if entries.size and name not in owned else 0.0
 
-    moved = np.exp(np.asarray(seen.added_mass_moves) * own("log_distance"))
+    apart = np.asarray(seen.apart)
+    off = own("log_distance") + apart * own("distance_apart")
+    moved = np.exp(np.asarray(seen.added_mass_moves) * off)
     return replace(
         seen,
         added_mass=seen.added_mass * np.exp(own("log_added")),
         added_mass_distance=seen.added_mass_distance * moved,
-        added_mass_extent=seen.added_mass_extent + own("extent"),
+        added_mass_extent=seen.added_mass_extent + own("extent") + apart * own("extent_apart"),
         damped=1 + seen.heavier * own("damping_under_load"),
         stiffened=1 + seen.heavier * own("stiffness_under_load"),
     )

@@ -42,6 +42,7 @@ class Observation:
     added_mass_distance: Float[Any, "*segment"]  # m
     added_mass_moves: Float[Any, "*segment"]  # 1 where its distance follows the mounting, else 0
     added_mass_extent: Float[Any, "*segment"]  # m^2, its squared radius of gyration
+    apart: Float[Any, "*segment"]  # from -1/2, the lightest of its recording's masses, to 1/2
     heavier: Float[Any, "*segment"]  # beyond the least mass of a fit, over the most of a recording
     damped: Float[Any, "*segment"]  # times the leg's damping, by what a fit has found beside a mass
     stiffened: Float[Any, "*segment"]  # times its stiffness, by the same

@@ -12,7 +12,7 @@ from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observation import Clock, Observation
 from exoid.fitting.data.pace import LONGEST_STEP, parts_of
 from exoid.fitting.data.time_jitter import TimeJitter
-from exoid.fitting.model.systematics import SOMEWHERE, beside_unplaced
+from exoid.fitting.model.systematics import SOMEWHERE, apart, beside_unplaced
 from exoid.physics.motion.step import Drive
 from exoid.physics.term import Term
 from exoid.physics.waves import cycle_shape
@@ -111,6 +111,7 @@ def one_observation(
         added_mass_distance=np.asarray(SOMEWHERE if each.unplaced else each.added_mass_distance),
         added_mass_moves=np.asarray(float(each.unplaced or not beside_unplaced(each, movements))),
         added_mass_extent=np.asarray(each.systematics.expected_extent),
+        apart=np.asarray(apart(each, movements)),
         heavier=np.asarray(heavier(each, movements)),
         damped=np.asarray(1.0),
         stiffened=np.asarray(1.0),

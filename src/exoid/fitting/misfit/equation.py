@@ -40,9 +40,11 @@ def equation(unknowns: Unknowns, observation: Observation, stage: Stage) -> Equa
     shared, mounting = unknowns.shared, unknowns.mounting
     inertia, clock = jnp.exp(shared.log_inertia), 1 + of(mounting.clock)
     added = observation.added_mass * jnp.exp(of(mounting.log_added))
-    moved = jnp.exp(observation.added_mass_moves * of(mounting.log_distance))
+    off = of(mounting.log_distance) + observation.apart * of(mounting.distance_apart)
+    moved = jnp.exp(observation.added_mass_moves * off)
     distance = observation.added_mass_distance * moved
     extent = observation.added_mass_extent + of(mounting.extent)
+    extent += observation.apart * of(mounting.extent_apart)
     total = inertia + added * (distance**2 + extent)
     moment = shared.gravity * inertia + added * distance * GRAVITY
     share, heavier = inertia / total, observation.heavier

@@ -79,7 +79,10 @@ TYPICAL = Coordinates(
     Shared(*map(np.asarray, (0.3, 10.0, 3.0, 1.0))),
     np.asarray(0.3),
     Mounting(
-        *map(np.asarray, (0.1, 0.01, 0.003, 0.05, 0.05, 0.05, 0.02, 0.01, 0.05, 0.02, 0.1, 0.1))
+        *map(
+            np.asarray,
+            (0.1, 0.01, 0.003, 0.05, 0.05, 0.05, 0.02, 0.01, 0.05, 0.02, 0.1, 0.1, 0.1, 0.003),
+        )
     ),
     SegmentUnknowns(*map(np.asarray, (10.0, 0.1, 0.5))),
 )  # a step of order one

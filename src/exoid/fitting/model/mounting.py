@@ -27,6 +27,8 @@ class Mounting:
     torque_gain: Float[Any, "..."]  # relative, less 1, of the same sensor
     damping_under_load: Float[Any, "..."]  # the leg's d beside its heaviest added mass over that
     stiffness_under_load: Float[Any, "..."]  # with the least mass of a fit, less 1; and its c
+    distance_apart: Float[Any, "..."]  # log_distance of its heaviest added mass less its lightest's
+    extent_apart: Float[Any, "..."]  # m^2, and of the extents
 
 
 def acting(shown: Any, zero: Any, gain: Any) -> Any:

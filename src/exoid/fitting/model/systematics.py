@@ -16,6 +16,7 @@ from exoid.recordings.signal.both_sensors.sensor_scales import GYRO_SCALE
 OWNED = tuple(each.name for each in fields(Mounting))
 OF_THE_GYRO = ("gyro_scale", "gyro_bias")
 OF_THE_MASS = ("log_distance", "log_added", "extent")
+OF_MASSES = {"distance_apart": "log_distance", "extent_apart": "extent"}  # of several, by one's
 OF_THE_LOAD = ("damping_under_load", "stiffness_under_load")  # of a leg that bears more
 OF_THE_REST = ("zero", "tilt")  # they decide where a leg comes to rest
 OF_THE_TORQUE = ("torque_zero", "torque_gain")
@@ -149,7 +150,8 @@ def own_deviations(movements: Sequence) -> dict[str, float]:
     """Of one recording. What is exact counts as 1: it is no unknown."""
     first = movements[0].systematics
     loaded = [one for one in movements if one.added_mass > 0]
-    found = {name: getattr(first, name) for name in OWNED if name != "log_distance"}
+    each = {*OWNED} - {"log_distance", *OF_MASSES}
+    found = {name: getattr(first, name) for name in each}
     if loaded:
         of_mass = loaded[0].systematics
         found |= {name: getattr(of_mass, name) for name in ("log_added", "extent", *OF_THE_LOAD)}
@@ -158,6 +160,7 @@ def own_deviations(movements: Sequence) -> dict[str, float]:
         found["log_distance"] = ANYWHERE
     else:
         found["log_distance"] = first.distance / np.mean(placed) if placed and min(placed) else 1.0
+    found |= {name: sqrt(2) * found[of_one] for name, of_one in OF_MASSES.items()}
     return {name: value or 1.0 for name, value in found.items()}
 
 
@@ -223,7 +226,8 @@ def sharing(whitening: np.ndarray) -> list[list[int]]:
 
 def owned_by(movements: Sequence, owned: Sequence[str] = OWNED) -> tuple[str, ...]:
     """What of `owned` is an unknown of a fit to these movements: nothing of a torque that none
-    measures, no gain of one whose unit is any, and no zero where a torque drove all of them.
+    measures, no gain of one whose unit is any, and no zero where a torque drove all of them; nor
+    how several masses differ where no recording has several.
 
     Then nothing tells it from a seat's tilt, an encoder's zero or a spring, and a model that misses
     much would take it for an excuse: errors hold it instead (`estimates/moved.py`).
@@ -231,6 +235,7 @@ def owned_by(movements: Sequence, owned: Sequence[str] = OWNED) -> tuple[str, ..
     driven = [one for one in movements if one.kind == "measured"]
     mixed = 0 < len(driven) < len(movements)
     has = {"torque_zero": mixed, "torque_gain": any(one.gain_known for one in driven)}
+    has |= dict.fromkeys(OF_MASSES, any(apart(one, movements) for one in movements))
     return tuple(name for name in owned if has.get(name, True))
 
 
@@ -252,6 +257,8 @@ def is_exact(one, name: str, movements: Sequence) -> bool:
         return True
     if name in OF_THE_MASS and one.added_mass == 0:
         return True
+    if name in OF_MASSES:
+        return not apart(one, movements) or is_exact(one, OF_MASSES[name], movements)
     if name in OF_THE_LOAD and one.borne == 0:
         return True
     if name in OF_THE_TORQUE and one.kind != "measured":
@@ -268,3 +275,14 @@ def is_exact(one, name: str, movements: Sequence) -> bool:
 def beside_unplaced(one, movements: Sequence) -> bool:
     """Does its recording also have masses of unknown distance, which its own says nothing of?"""
     return any(each.unplaced for each in movements if each.recording == one.recording)
+
+
+def apart(one, movements: Sequence) -> float:
+    """Of the added mass of a movement, where it stands among several of its recording: from -1/2,
+    the lightest, to 1/2; 0 of the only one, and of none.
+    """
+    own = (each for each in movements if each.recording == one.recording and each.added_mass > 0)
+    loads = sorted({(each.added_mass, each.load[1] or 0.0) for each in own})
+    if one.added_mass == 0 or len(loads) < 2:
+        return 0.0
+    return loads.index((one.added_mass, one.load[1] or 0.0)) / (len(loads) - 1) - 0.5

@@ -17,6 +17,8 @@ WORDS = {
     "added_mass": "the weight of the added mass",
     "added_mass_distance": "the distance of the added mass",
     "added_mass_gyration": "the extent of the added mass",
+    "distance_apart": "where several masses of one recording sit, each by itself,",
+    "extent_apart": "the extent of several masses of one recording, each by itself,",
 }
 
 

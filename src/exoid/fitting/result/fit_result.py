@@ -34,6 +34,8 @@ class MountingFit:
     torque_gain: Estimate | None = None  # of the same, less 1
     damping_under_load: Estimate | None = None  # over that with the least mass, less 1
     stiffness_under_load: Estimate | None = None
+    distance_apart: Estimate | None = None  # log r of the heaviest of several masses less lightest
+    extent_apart: Estimate | None = None  # m^2, and k^2
 
     @property
     def known(self) -> dict[str, Estimate]:

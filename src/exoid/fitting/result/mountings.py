@@ -5,6 +5,7 @@ import numpy as np
 from exoid.fitting.model.coordinates import Coordinates, layout, quantities
 from exoid.fitting.model.systematics import (
     LOOSE_CLOCK,
+    OF_MASSES,
     OF_THE_GYRO,
     OF_THE_LOAD,
     OF_THE_MASS,
@@ -105,7 +106,7 @@ def beyond_belief(problem: Problem, ended: SearchResult, *, explained: bool) -> 
     for field in problem.owned:
         if field == "zero" and "gravity" in problem.absent:
             continue  # it is where the spring of a rig rests, which may be anywhere
-        if field in OF_THE_LOAD or (field in OF_THE_MASS and explained):
+        if field in (*OF_THE_LOAD, *OF_MASSES) or (field in OF_THE_MASS and explained):
             continue
         values, deviations = getattr(ended.point.mounting, field), problem.deviation_of(field)
         for entry in problem.estimated(field):

@@ -27,6 +27,8 @@ MOUNTED = {
     "torque_gain": "torque sensor's gain - 1",
     "damping_under_load": "damping under its load - 1",
     "stiffness_under_load": "stiffness under its load - 1",
+    "distance_apart": "masses apart, log r",
+    "extent_apart": "masses apart, k^2",
 }
 SHORTEST_NAME = 16  # that still tells the segments of two recordings apart
 

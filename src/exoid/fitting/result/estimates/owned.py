@@ -16,6 +16,8 @@ MOUNTING = {  # name: symbol, title, unit
     "torque_gain": ("gain", "torque that is shown over the one that acts, less 1", "1"),
     "damping_under_load": ("d_a / d - 1", "damping beside the added mass, over d, less 1", "1"),
     "stiffness_under_load": ("c_a / c - 1", "stiffness beside the same, over c, less 1", "1"),
+    "distance_apart": ("log r_2 / r_1", "distances of several masses, beyond the declared", "1"),
+    "extent_apart": ("k_2^2 - k_1^2", "their squared radii of gyration, apart", "m^2"),
 }
 FIELDS = dict(zip(("log_distance", "log_added", "extent"), list(MOUNTING)[:3], strict=True)) | {
     name: name for name in OWNED[3:]

@@ -32,6 +32,8 @@ ADVICE = {
     "added_mass": "weigh the added mass to 0.1 % and give added_mass_uncertainty_kg",
     "added_mass_distance": "measure where it sits and give added_mass_distance_uncertainty_m",
     "added_mass_gyration": "give added_mass_gyration_m, or use a compact weight",
+    "distance_apart": "measure where each sits and give added_mass_distance_uncertainty_m",
+    "extent_apart": "give added_mass_gyration_m, or use compact weights",
 }
 
 
