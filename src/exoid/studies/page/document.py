@@ -22,6 +22,7 @@ def study_document(answers: Answers) -> dict[str, Any]:
         "quantities": {each.quantity: entry(each) for each in answers.each},
         "without_values": dict(answers.silent),
         "missing_physics": told(answers.physics),
+        "sides_exchanged": plain(answers.exchanged),
     }
 
 

@@ -16,6 +16,7 @@ from exoid.studies.statistics.reliability import reliability
 from exoid.studies.statistics.tables.said import NotTold, Untold
 from exoid.studies.statistics.tables.study import Study
 from exoid.studies.statistics.tables.values import PERSONAL, Values, values_of
+from exoid.studies.statistics.visits.exchanged import exchanged
 
 Result = TypeVar("Result")
 TESTED = ("sides", "change", "groups", "change_by_group")
@@ -37,7 +38,8 @@ def ask(study: Study, asked: Asked) -> Answers:
         else:
             answers.append(answer(study, values, asked))
     physics = answered(lambda: missing_physics(study, asked.by))
-    return Answers(study, asked, with_corrected(answers, asked), physics, silent)
+    turned = exchanged(study, asked.task)
+    return Answers(study, asked, with_corrected(answers, asked), physics, silent, turned)
 
 
 def known(study: Study, asked: Asked) -> Asked:

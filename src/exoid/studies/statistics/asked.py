@@ -12,6 +12,7 @@ from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.tables.said import Untold
 from exoid.studies.statistics.tables.study import Study
 from exoid.studies.statistics.tables.values import Values
+from exoid.studies.statistics.visits.exchanged import Exchanged
 
 
 @dataclass(frozen=True)
@@ -53,10 +54,13 @@ class Answer:
 
 @dataclass(frozen=True, eq=False)
 class Answers:
-    """All of them; `silent` are the quantities without values, with why."""
+    """All of them; `silent` are the quantities without values, with why. `exchanged` are visits of
+    which one has the names of its sides exchanged.
+    """
 
     study: Study
     asked: Asked
     each: tuple[Answer, ...]
     physics: tuple[Cause, ...] | Untold
     silent: Mapping[str, str]
+    exchanged: tuple[Exchanged, ...] = ()

@@ -26,16 +26,20 @@ from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.tables.frames import Frame
 from exoid.studies.statistics.tables.said import Untold
 from exoid.studies.statistics.tables.study import OF_RELEASE
+from exoid.studies.statistics.visits.exchanged import Exchanged
 
 NAMED = 3  # quantities or causes of a sentence
 
 
 def opening(answers: Answers) -> list[str]:
-    """What differs, how well it repeats, which physics was missing, and what failed."""
+    """What differs, how well it repeats, which physics was missing, whose sides may be exchanged,
+    and what failed.
+    """
     if not answers.each:
         return [finding(answers), failed(answers.study.once)]
     parts = (difference(answers), repeats(answers), lacked(answers))
-    return [*(each for each in parts if each), failed(answers.study.once)]
+    said = (each for each in parts if each)
+    return [*said, *map(turned, answers.exchanged), failed(answers.study.once)]
 
 
 def difference(answers: Answers) -> str:
@@ -105,6 +109,17 @@ def in_whom(each: Cause) -> str:
     if each.name in NOTHING:
         return said
     return f"{said}, of {each.people} of {each.of_people} people, {shares(each)}"
+
+
+def turned(each: Exchanged) -> str:
+    """Whose sides are exchanged at which visit, and what to do."""
+    visits = ", ".join(each.sessions)
+    which = f"of one of the visits {visits}" if len(each.sessions) > 1 else f"of visit {visits}"
+    return (
+        f"{each.person}: left and right {which} look exchanged: left moves as right does at the "
+        "other visit, and the reverse, which makes test and retest, sides and changes wrong. See "
+        "how the files were named, mend them, and run the study again."
+    )
 
 
 def failed(recordings: Frame) -> str:
