@@ -1,5 +1,6 @@
 """What a worker does with a batch of recordings."""
 
+from collections import Counter
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -18,6 +19,8 @@ from exoid.studies.engine.plan import Batch
 from exoid.studies.engine.reason import reason_of
 from exoid.studies.engine.settings import Settings
 
+DROPPED = ("passive", None)  # kinds of segments, as declared, that may be drops
+
 
 def measure(batch: Batch, dataset: Dataset, step: str, settings: Settings) -> list[Measured]:
     """A step of every recording; one that fails is told among the others."""
@@ -28,7 +31,22 @@ def measure(batch: Batch, dataset: Dataset, step: str, settings: Settings) -> li
         return each
     for one in there:
         take(one, lambda one=one: of_step(step, one.recording, settings))
+        if step == "drops" and one.fault is None and (why := why_no_drop(one)):
+            one.fault = for_all(why, one.item.entry.name)
     return each
+
+
+def why_no_drop(one: Measured) -> str:
+    """Why nothing was read off any segment: the reason that most of them have. Empty where
+    something was, and where the recording itself says that none of them is a drop.
+    """
+    recording = one.recording
+    if recording is None or any(row.value is not None for row in one.rows):
+        return ""
+    if not any(recording.kind(n) in DROPPED for n in range(len(recording.segments))):
+        return ""
+    said = Counter(row.note for row in one.rows if row.note)
+    return said.most_common(1)[0][0] if said else "no drop is in it."
 
 
 def read(item: Item, dataset: Dataset) -> Measured:

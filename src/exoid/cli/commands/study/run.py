@@ -83,4 +83,4 @@ def run(
     show(lambda console: print_outcome(made, results, console))
     files = Outputs()
     files.put_document(json, lambda: {**asdict(made), "folder": str(results), "steps": named})
-    files.end(follows=made.ok > 0)
+    files.end(follows=made.ok + made.partly > 0)

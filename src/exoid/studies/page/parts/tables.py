@@ -12,9 +12,11 @@ from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.physics import Cause
 from exoid.studies.statistics.presence import Count, without_numbers
 from exoid.studies.statistics.reliability import Reliability
+from exoid.studies.statistics.tables.frames import Column as Cells
 from exoid.studies.statistics.tables.frames import Frame
 
 FEWEST_SLOPED = 10  # people, below which a slope over the size is chance
+NAMED = 5  # recordings with one reason; the rest is counted
 SHOWN = 200  # rows of a list of recordings; the rest is counted
 
 
@@ -131,13 +133,20 @@ def failures(recordings: Frame) -> Table:
     failed = failed.assign(kind=failed["reason"].map(without_numbers))
     count = failed["kind"].value_counts()
     first = failed.drop_duplicates("kind").set_index("kind")
+    names = failed.groupby("kind")["name"].agg(some)
     kept = list(count.index[:SHOWN])
     made = {
         "recordings": [str(count[each]) for each in kept],
-        "the first": [str(first["name"][each]) for each in kept],
+        "which": [str(names[each]) for each in kept],
         "its reason": [str(first["reason"][each]) or "no reason is kept" for each in kept],
     }
     return Table("Recordings that failed", made, "Recordings that failed")
+
+
+def some(names: Cells) -> str:
+    """The first of them, and how many more."""
+    more = len(names) - NAMED
+    return ", ".join(names[:NAMED]) + (f" and {more} more" if more > 0 else "")
 
 
 def values(answers: Sequence[Answer]) -> Table:

@@ -57,17 +57,21 @@ def whole(answers: Answers) -> Group:
     """How many recordings there are, and how many failed."""
     study = answers.study
     unread, twice = len(study.once) - len(study.read), len(study.recordings) - len(study.once)
-    failed = int((study.read["status"] == "failed").sum())
+    failed = study.read[study.read["status"] == "failed"]
+    partly = int(failed["recording"].isin(study.measured).sum())
+    nothing = len(failed) - partly
     question = "Were all recordings read?"
     said = f"{amount(answers)}."
     lost = [f"{counted(unread, 'recording')} could not be read"] * bool(unread)
-    lost += [f"of {counted(failed, 'recording')} a step failed, the others count"] * bool(failed)
+    lost += [f"of {counted(partly, 'recording')} a step failed, the others count"] * bool(partly)
+    lost += [f"of {counted(nothing, 'recording')} nothing was measured"] * bool(nothing)
     lost += [f"{twice} more are the same as another and count once"] * bool(twice)
     if not lost:
         return card(question, "good", "Yes.", said)
-    answer = "Not all of them." if unread else "Yes, but a step failed." if failed else "Yes."
+    failing = "Yes, but not all were measured." if nothing else "Yes, but a step failed."
+    answer = "Not all of them." if unread else failing if len(failed) else "Yes."
     why = f"{said} {capital('; '.join(lost))}."
-    return card(question, "care" if unread or failed else "good", answer, why)
+    return card(question, "care" if unread or len(failed) else "good", answer, why)
 
 
 def trusted(answers: Answers) -> Group:

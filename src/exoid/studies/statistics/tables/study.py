@@ -53,9 +53,14 @@ class Study:
     def read(self) -> Frame:
         """Of these, what was read: a step may have failed, then others have told something."""
         once = self.once
-        told = self.quantities.loc[self.quantities["value"].notna(), "recording"]
+        told = self.measured
         samples = once["samples"].notna() if "samples" in once else False
         return once[(once["status"] == "ok") | once["recording"].isin(told) | samples]
+
+    @property
+    def measured(self) -> Column:
+        """The recordings of which something has a value."""
+        return self.quantities.loc[self.quantities["value"].notna(), "recording"]
 
     @property
     def told(self) -> tuple[str, ...]:
