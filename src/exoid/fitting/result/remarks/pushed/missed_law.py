@@ -64,7 +64,6 @@ def asked_of(problem: Problem) -> list[Law]:
     """The laws that it may be, whose term the model does not have."""
     having = set(map(name_of, problem.terms))
     constant = problem.belief.rig and not CONSTANT_TORQUES & having
-    constant = problem.belief.rig and not {name_of(TorqueBias), TorqueBias.same_torque} & having
     return [
         law for law in LAWS if name_of(law.term) not in having and (constant or law != CONSTANT)
     ]
