@@ -41,6 +41,7 @@ from exoid.fitting.one_leg import check_one_leg
 from exoid.fitting.result.describing.describe import describe
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.refused.own_swing import hangs_up
+from exoid.fitting.result.remarks.pushed.damping_law import lawful
 from exoid.fitting.result.remarks.upwards_remarks import UPWARDS, upwards
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
@@ -212,7 +213,7 @@ class Attempt:
         result = described(found)
         if not (belief.rig or result.follows) and hangs_up(self.movements):
             raise ValueError(UPWARDS)
-        if not self.handled or self.at_once or belief.rig:
+        if not self.handled or self.at_once or belief.rig or by_law(result):
             return result, []
         swinging = without_slow_release(
             found,
@@ -225,6 +226,14 @@ class Attempt:
         found = self.search(belief, swinging, best)
         refuse_upwards(*found)
         return described(found), of_slow(swinging)
+
+
+def by_law(result: FitResult) -> bool:
+    """Does it follow its recording but for a law that damping has, which needs no hand?"""
+    basis = result.basis
+    if not result.follows or basis is None:
+        return False
+    return lawful(basis.problem, basis.ended, basis.information.open)
 
 
 def refuse_upwards(problem: Problem, found: SearchResult) -> None:
