@@ -127,7 +127,9 @@ def failed(recordings: Frame) -> str:
     count = int((recordings["status"] == "failed").sum())
     if not count:
         return f"None of {counted(len(recordings), 'recording')} failed."
-    most, first, reason = failures(recordings).rows[0]
+    most, names, reason = failures(recordings).rows[0]
+    alike = recordings.loc[recordings["reason"] == reason, "name"]
+    first = names if alike.empty else alike.iloc[0]
     which = first if count == 1 else f"{most} of them as {first}"
     said = f"{count} of {counted(len(recordings), 'recording')} failed"
     return f"{said}, {which}: {reason.rstrip('.')}."
