@@ -1,14 +1,25 @@
 """Of how many people, recordings and drops a quantity has a value, and of how many it has none."""
 
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
+
+from scipy.stats import fisher_exact
 
 from exoid.studies.statistics.mixed.covariates import label
 from exoid.studies.statistics.tables.frames import Column, Frame
 from exoid.studies.statistics.tables.study import Study
-from exoid.studies.statistics.tables.values import DIAGNOSED, FITTED, WHOLE, Values, asked_rows
+from exoid.studies.statistics.tables.values import (
+    DIAGNOSED,
+    FITTED,
+    WHOLE,
+    Values,
+    asked_rows,
+    of_recordings,
+)
 
+CHANCE = 0.05  # p, from which shares that are missing may be alike
 UNEVEN = 0.05  # by which shares that are missing differ before it is said: one of twenty
 INCOMPLETE = "misses something"  # of its model, as the note of a fit says
 NUMBER = re.compile(r"\d+(?:[.,:]\d+)*(?:e[+-]?\d+)?")
@@ -26,6 +37,21 @@ class Count:
         return self.of - self.told
 
 
+def by_chance(counts: Sequence[Count]) -> float:
+    """p of shares as unlike as these: of Fisher's exact test of each part against all others, by
+    Bonferroni.
+    """
+    lacking, there = sum(each.missing for each in counts), sum(each.told for each in counts)
+    each_p = [exact([[n.missing, n.told], [lacking - n.missing, there - n.told]]) for n in counts]
+    return min(each_p) * (len(counts) if len(counts) > 2 else 1)
+
+
+def exact(table: list[list[int]]) -> float:
+    """p of Fisher's test."""
+    found: Any = fisher_exact(table)
+    return float(found.pvalue)
+
+
 @dataclass(frozen=True)
 class Tally:
     """All, and by what parts them: `group` or `side`, then its names."""
@@ -34,16 +60,17 @@ class Tally:
     parts: Mapping[str, Mapping[str, Count]]
 
     def uneven(self, part: str) -> bool:
-        """Do shares that are missing differ?"""
-        shares = [each.missing / each.of for each in self.parts.get(part, {}).values()]
-        return bool(shares) and max(shares) - min(shares) > UNEVEN
+        """Do shares that are missing differ, by more than chance?"""
+        counts = [*self.parts.get(part, {}).values()]
+        shares = [each.missing / each.of for each in counts]
+        return bool(shares) and max(shares) - min(shares) > UNEVEN and by_chance(counts) < CHANCE
 
 
 @dataclass(frozen=True)
 class Presence:
-    """`complete` are the values of fits, without those whose model misses something. `missing` are
-    the people without a value, `reason` is of values that are missing an example of the most
-    frequent one.
+    """`values` are of recordings that have one. `complete` are the values of fits, without those
+    whose model misses something. `missing` are the people without a value, `reason` is of values
+    that are missing an example of the most frequent one.
     """
 
     people: Tally
@@ -68,10 +95,12 @@ def presence(
     group = table.drop_duplicates("recording").set_index("recording")["group"]
     rows = rows.assign(group=rows["recording"].map(group))
     there = people["participant"].isin(list(whom))
+    used = rows["value"].notna() & of_recordings(rows)
+    partly = rows[rows["recording"].isin(rows.loc[used, "recording"])]
     return Presence(
         tally(people, there, ("group",)),
         tally(table, table["recording"].isin(values.frame["recording"]), ("group", "side")),
-        tally(rows, rows["value"].notna(), ("group", "side")),
+        tally(partly, used[partly.index], ("group", "side")),
         complete(study, rows),
         tuple(sorted(people.loc[~there, "participant"])),
         reason_of(rows[rows["value"].isna()]),

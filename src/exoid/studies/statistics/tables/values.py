@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.studies.statistics.tables.frames import Frame, frame_of
+from exoid.studies.statistics.tables.frames import Column, Frame, frame_of
 from exoid.studies.statistics.tables.said import NotTold
 from exoid.studies.statistics.tables.study import Study
 
@@ -49,6 +49,7 @@ def values_of(study: Study, quantity: str, task: str = "") -> Values:
     **Raises** `NotTold` (why) where there is none.
     """
     rows = asked_rows(study, quantity, task)
+    check_told(rows[rows["value"].notna()])
     named, notes = told_by_recordings(rows[rows["value"].notna()])
     if named.empty:
         raise NotTold(" ".join(notes) or "No recording that was read has a value.")
@@ -57,6 +58,24 @@ def values_of(study: Study, quantity: str, task: str = "") -> Values:
         raise NotTold(f"{quantity} has several units: {', '.join(units)}. Compare within one.")
     unit, frame = in_degrees(str(units[0]), with_people(once(named), study.recordings))
     return Values(quantity, unit, frame, notes)
+
+
+def check_told(rows: Frame) -> None:
+    """Refuses what most recordings leave to anatomy: those few of which they tell a part are no
+    sample of the others, and lie where anatomy has them.
+    """
+    left = int((~of_recordings(rows)).sum())
+    if left > len(rows) / 2:
+        raise NotTold(
+            f"{left} of {len(rows)} values: no recording told them, or only in part, but anatomy, "
+            "a limit or a setting. Nothing is compared: what few recordings tell is no sample of "
+            "all. Where it is anatomy, drops with a known mass on the leg tell it."
+        )
+
+
+def of_recordings(rows: Frame) -> Column:
+    """Which values recordings told alone."""
+    return ~rows["determined_by"].str.startswith((*ELSEWHERE, PARTLY))
 
 
 def in_degrees(unit: str, frame: Frame) -> tuple[str, Frame]:
@@ -82,15 +101,16 @@ def told_by_recordings(rows: Frame) -> tuple[Frame, tuple[str, ...]]:
     elsewhere = rows["determined_by"].str.startswith(ELSEWHERE)
     nobody = (rows["participant"] == "") & ~elsewhere
     partly = rows["determined_by"].str.startswith(PARTLY) & ~nobody
-    mended = (rows["step"] == DIAGNOSED) & ~elsewhere & ~nobody
+    used = ~elsewhere & ~nobody & ~partly
+    mended = (rows["step"] == DIAGNOSED) & used
     said = (
         (elsewhere, "left out: no recording told them, but anatomy, a limit or a setting"),
         (nobody, "left out: their recordings name no participant"),
-        (partly, "rest partly on anatomy, which draws people together"),
+        (partly, "left out: they rest partly on anatomy, which draws people together"),
         (mended, "are of a model with what a diagnosis found missing"),
     )
     notes = (f"{which.sum()} of {len(rows)} values {why}." for which, why in said if which.any())
-    return rows[~elsewhere & ~nobody], tuple(notes)
+    return rows[used], tuple(notes)
 
 
 def once(rows: Frame) -> Frame:
