@@ -1,9 +1,11 @@
 """What a run of a study did."""
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from exoid.cli.terminal.progress import pace
+from exoid.files.counted import counted
 from exoid.files.visible import visible
 
 SHOWN = 12  # reasons
@@ -15,6 +17,18 @@ def check_results(folder: Path) -> None:
         raise ValueError(f"{folder}: this is a file. Name a folder for the tables.")
     if not folder.parent.is_dir():
         raise ValueError(f"{folder}: the folder {folder.parent} does not exist. Make it first.")
+
+
+def doubted(folder: str, dataset: Any) -> Iterator[str]:
+    """That names, sidecars or contents have errors, how many, and which command tells them."""
+    from exoid.studies.dataset.check.check import check_dataset
+
+    errors = check_dataset(dataset, 0, lambda _: None).errors
+    if errors:
+        yield (
+            f"{counted(errors, 'error')} in this data set: results of them are wrong or missing. "
+            f"See 'exoid study check {folder}'."
+        )
 
 
 def print_outcome(made: Any, results: Path, console: Any) -> None:

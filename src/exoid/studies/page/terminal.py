@@ -4,6 +4,7 @@ from rich.console import Console
 
 from exoid.report.tables.table import print_table
 from exoid.report.words.text import note, say
+from exoid.studies.page.parts.copies import copies
 from exoid.studies.page.parts.correction import correction
 from exoid.studies.page.parts.opening import opening
 from exoid.studies.page.parts.tables import (
@@ -46,7 +47,7 @@ def print_study(answers: Answers, console: Console) -> None:
 
 def notes(answers: Answers) -> list[str]:
     """How p is corrected, what was left out, and what is not told."""
-    said = [correction(answers)]
+    said = [correction(answers), *copies(answers.study.recordings)]
     said += [f"{each.quantity}: {one}" for each in answers.each for one in each.values.notes]
     found = (each.reliability for each in answers.each)
     said += told_of([each for each in found if isinstance(each, Reliability)])

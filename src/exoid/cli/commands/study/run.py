@@ -13,9 +13,10 @@ from exoid.cli.inputs.data_set import opened
 from exoid.cli.inputs.terms import With, terms_asked
 from exoid.cli.outputs.destination import Force, Json, check_outputs
 from exoid.cli.outputs.results import show
-from exoid.cli.outputs.study_run import check_results, print_outcome
+from exoid.cli.outputs.study_run import check_results, doubted, print_outcome
 from exoid.cli.outputs.written import Outputs
 from exoid.cli.terminal.progress import progress
+from exoid.cli.terminal.say import say
 
 
 def run(
@@ -78,6 +79,7 @@ def run(
     named = tuple(each.strip() for each in steps.split(","))
     settings = Settings(named, fitted, asked)
     found = opened(dataset)
+    say(*doubted(str(dataset), found))
     with progress("recordings") as told:
         made = run_study(found, results, settings, count=workers, scheduler=scheduler, told=told)
     show(lambda console: print_outcome(made, results, console))

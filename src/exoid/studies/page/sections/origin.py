@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from exoid.report.sections.blocks import Block
 from exoid.report.sections.made import made
+from exoid.studies.page.parts.copies import copies
 from exoid.studies.page.parts.correction import correction
 from exoid.studies.page.parts.part import Told, part
 from exoid.studies.page.parts.tables import failures
@@ -14,6 +15,7 @@ def failed(told: Told) -> Iterator[Block]:
     table = failures(told.answers.study.recordings)
     if table.rows:
         yield table
+    yield copies(told.answers.study.recordings)
 
 
 @part("origin", "Where this comes from")
