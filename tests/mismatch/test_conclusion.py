@@ -178,17 +178,6 @@ def test_of_two_causes_only_the_one_is_certain_that_all_sets_have():
     assert certain_of(found_of([], [best, rival]), best) == (CoulombFriction,)
 
 
-@pytest.mark.parametrize(
-    ("alone", "certain"), [(40_000.0, (CoulombFriction, TorqueBias)), (20_000.0, (TorqueBias,))]
-)
-def test_a_second_cause_is_certain_above_the_noise_where_it_explains_nearly_all(alone, certain):
-    """An axis drifts away by a constant torque; of what it leaves, friction explains all but a
-    fortieth: it was told as "besides perhaps", and only the torque by name.
-    """
-    best, single = explaining(2_000.0, CoulombFriction, TorqueBias), explaining(alone, TorqueBias)
-    assert certain_of(found_of([single], [best]), best) == certain
-
-
 def test_a_cause_that_is_not_needed_takes_nothing_from_the_best():
     best = explaining(1000.0, CoulombFriction)
     wider = explaining(995.0, CoulombFriction, QuadraticDrag)

@@ -59,12 +59,10 @@ def only_inside(cause: type[Term], certain: list[type[Term]], every: Sequence[Op
 
 def certain_of(found: Found, best: Optimum) -> tuple[type[Term], ...]:
     """The causes that are certain. Where more than noise is left, the last cause may only take up
-    what nobody knows: then also what is best without one of them must have them, unless that one
-    explains nearly all of what is left without it. What the library does not name is none.
+    what nobody knows: then also what is best without one of them must have them. What the library
+    does not name is none.
     """
-    measure = found.yardstick
-    fewer = [] if measure.explains(best.square) else with_one_less(found, best)
-    fewer = [one for one in fewer if measure.followed(one.square, best.square) < FOLLOWED]
+    fewer = [] if found.yardstick.explains(best.square) else with_one_less(found, best)
     certain, most = asserted(best, [*equivalents(found, best), *fewer]), stand_ins(found, best)
     named = (one for one in certain if one not in NAMELESS)
     return tuple(one for one in named if not any(same_cause(one, term) for term in most))

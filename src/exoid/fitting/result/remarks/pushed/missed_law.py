@@ -31,6 +31,7 @@ RATIOS = {
 }
 CLEAR = 4.0  # standard errors of its size
 MOSTLY = 0.5  # of the squares that are missed, that it takes away
+NEARLY_ALL = 0.8  # of the same: no hand need be in it, of which it takes 0.2
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +59,12 @@ def missed_law(problem: Problem, ended: SearchResult, free: np.ndarray) -> Misse
     each = [law_of(problem, ended, free, grams, law) for law in asked_of(problem)]
     clear = [one for one in each if one.clear and one.share > MOSTLY]
     return max(clear, key=lambda one: one.share, default=None)
+
+
+def lawful(problem: Problem, ended: SearchResult, free: np.ndarray) -> bool:
+    """Does a law explain nearly all that is missed, and no hand need to?"""
+    law = missed_law(problem, ended, free)
+    return law is not None and law.share > NEARLY_ALL
 
 
 def asked_of(problem: Problem) -> list[Law]:
