@@ -41,7 +41,7 @@ from exoid.fitting.one_leg import check_one_leg
 from exoid.fitting.result.describing.describe import describe
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.refused.own_swing import hangs_up
-from exoid.fitting.result.remarks.pushed.damping_law import lawful
+from exoid.fitting.result.remarks.pushed.missed_law import lawful
 from exoid.fitting.result.remarks.upwards_remarks import UPWARDS, upwards
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
