@@ -19,6 +19,7 @@ from exoid.studies.statistics.mixed.parted import Parted, stated
 from exoid.studies.statistics.mixed.stacks import DROP, Effects
 from exoid.studies.statistics.tables.said import Interval, NotTold
 from exoid.studies.statistics.tables.values import LEG, OCCASION, Values, means
+from exoid.studies.statistics.visits.standing_out import standing_out
 
 DETECTABLE = float(norm.ppf(0.975)) * 2**0.5  # standard errors of measurement
 ONLY_STATED = (
@@ -28,6 +29,11 @@ ONLY_STATED = (
 BLURRED = (
     "{count} of {of} days of a leg have stated errors larger than all that legs and days differ "
     "by: ICC, SEM and detectable change are of the others"
+)
+ALONE = (
+    "more than half of the squares by which days of a leg differ are of {who} alone, which makes "
+    "SEM and detectable change larger for all: see whether those recordings are theirs, "
+    "of these sides and days"
 )
 MOST_SESSIONS = 8  # that all may shift together; with more, sessions are dates of each person
 ANOVA = "two-way analysis of variance, F intervals"
@@ -76,7 +82,8 @@ def reliability(values: Values) -> Reliability:
     sessions = sorted(frame["session"].unique())
     mixed = fit_mixed(frame, shifts(values))
     drops = float(frame.groupby(OCCASION)["value"].size().median())
-    occasions = len(frame[OCCASION].drop_duplicates()) / len(frame[LEG].drop_duplicates())
+    occasions_there = len(frame[OCCASION].drop_duplicates())
+    occasions = occasions_there / len(frame[LEG].drop_duplicates())
     known, blurred = stated(frame, mixed, drops)
     alone = Parted(mixed, 1.0, occasions, known)
     several = DROP in mixed.variances and drops > 1
@@ -95,9 +102,10 @@ def reliability(values: Values) -> Reliability:
         one_drop=alone.correlation(shift=True) if several else None,
         one_drop_change=scaled(alone.error(), DETECTABLE) if several else None,
         variances=mixed.variances,
-        notes=notes_of(sem, blurred, len(frame[OCCASION].drop_duplicates()))
-        if how == MIXED
-        else (),
+        notes=(
+            *([ALONE.format(who=who)] if (who := standing_out(values)) else []),
+            *(notes_of(sem, blurred, occasions_there) if how == MIXED else ()),
+        ),
     )
 
 
