@@ -218,7 +218,7 @@ def test_reasons_that_differ_in_their_numbers_are_one(study):
     table = failures(recordings.assign(reason=[*reasons, "drops: there is none."]))
     names = recordings["name"]
     assert table.rows == [
-        ("3", names.iloc[0], reasons[0]),
+        ("3", ", ".join(names.iloc[:3]), reasons[0]),
         ("1", names.iloc[3], "drops: there is none."),
     ]
 
