@@ -2,6 +2,7 @@
 
 import numpy as np
 import pandas as pd
+import pytest
 
 from exoid.studies.dataset.open_dataset import open_dataset
 from exoid.studies.engine.run_study import run_study
@@ -25,12 +26,14 @@ def locked(folder, kind):
     angle = -41 + 0.05 * np.random.default_rng(1).standard_normal(time.size)
     told = pd.DataFrame({"time_s": time, "angle_deg": angle})
     told.to_csv(folder / LOCKED, index=False)
-    (folder / LOCKED).with_suffix(".toml").write_text(f'[protocol]\nkind = "{kind}"\n')
+    if kind:
+        (folder / LOCKED).with_suffix(".toml").write_text(f'[protocol]\nkind = "{kind}"\n')
     return open_dataset(folder)
 
 
-def test_a_knee_of_which_nothing_was_read_failed_and_stands_on_the_page(here, tmp_path):
-    made = run_study(locked(tmp_path / "study", "passive"), tmp_path / "results", DROPS)
+@pytest.mark.parametrize("kind", ["passive", ""])
+def test_a_knee_of_which_nothing_was_read_failed_and_stands_on_the_page(here, tmp_path, kind):
+    made = run_study(locked(tmp_path / "study", kind), tmp_path / "results", DROPS)
     assert (made.ok, made.failed, made.partly) == (2, 1, 0)
     ((said, count),) = made.reasons.items()
     assert count == 1

@@ -7,6 +7,7 @@ from typing import Any
 from exoid.files.visible import visible
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.program_cache import with_sound_programs
+from exoid.recordings.signal.condition import classify
 from exoid.studies.batch.fit_many import fit_many
 from exoid.studies.dataset.cause import for_all
 from exoid.studies.dataset.entry import Dataset
@@ -19,7 +20,7 @@ from exoid.studies.engine.plan import Batch
 from exoid.studies.engine.reason import reason_of
 from exoid.studies.engine.settings import Settings
 
-DROPPED = ("passive", None)  # kinds of segments, as declared, that may be drops
+DROPPED = ("passive", None)  # kinds of segments that may be drops
 
 
 def measure(batch: Batch, dataset: Dataset, step: str, settings: Settings) -> list[Measured]:
@@ -38,12 +39,13 @@ def measure(batch: Batch, dataset: Dataset, step: str, settings: Settings) -> li
 
 def why_no_drop(one: Measured) -> str:
     """Why nothing was read off any segment: the reason that most of them have. Empty where
-    something was, and where the recording itself says that none of them is a drop.
+    something was, and where none of them is a drop, as declared or by its shape.
     """
     recording = one.recording
     if recording is None or any(row.value is not None for row in one.rows):
         return ""
-    if not any(recording.kind(n) in DROPPED for n in range(len(recording.segments))):
+    segments = enumerate(recording.segments)
+    if not any((recording.kind(n) or classify(each)) in DROPPED for n, each in segments):
         return ""
     said = Counter(row.note for row in one.rows if row.note)
     return said.most_common(1)[0][0] if said else "no drop is in it."
