@@ -110,17 +110,14 @@ def bent_drops():
     return two_drops(np.radians(-35), (8e-4, 3e-3), gyro=True)
 
 
-def test_a_zero_that_makes_up_for_a_spring_is_not_told(bent_drops):
-    """It is 0: what the fit misses has led it as far as the fit is off."""
+def test_the_zero_of_an_encoder_is_open_for_where_the_spring_is_slack(bent_drops):
+    """It is 0: the fit makes up for the spring by the encoder's zero and the seat's tilt."""
     (owned,) = bent_drops.mountings
-    assert abs(taken_zero(bent_drops)) > np.radians(1)
-    assert bent_drops.disturbance.cause is not None
-    assert owned.zero is None
-
-
-def taken_zero(found) -> float:
-    """The zero that a fit takes its encoder to have [rad]."""
-    return float(found.basis.ended.point.mounting.zero[0])
+    zero = owned.zero
+    assert abs(zero.value) > 3 * zero.standard_error
+    assert abs(zero.value) < 2 * np.hypot(zero.standard_error, zero.if_slack)
+    found = leans(bent_drops)
+    assert zero.if_slack == pytest.approx(found.spread["recording.zero"])
 
 
 def test_what_is_held_to_what_is_declared_leans_as_little(bent_drops):
@@ -128,7 +125,8 @@ def test_what_is_held_to_what_is_declared_leans_as_little(bent_drops):
 
     By white noise alone both would lean by several times as much.
     """
-    assert leans(bent_drops).spread["recording.zero"] < 4 * abs(taken_zero(bent_drops))
+    (owned,) = bent_drops.mountings
+    assert owned.zero.if_slack < 4 * abs(owned.zero.value)
 
 
 def test_a_fit_that_leaves_little_open_says_nothing():

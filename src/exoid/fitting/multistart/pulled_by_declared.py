@@ -18,24 +18,21 @@ from exoid.fitting.model.prior import mounting_residual
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.solve.ask import grams_at
 from exoid.fitting.solve.problem import Problem
-from exoid.recordings.remembered import remembered
 
 
 def led_astray(problem: Problem, ended: SearchResult) -> dict[str, float]:
     """How far every quantity may be led astray: by that step, and where a seat that nobody declared
     so is taken for tilted, by how far off the leg is on a level one.
     """
-    each = [ended.local.quantities @ led(problem, ended)]
+    each = [steps(problem, ended)] if ended.disturbance.cause is not None else []
     if ended.level is not None:
         each.append(ended.best.quantities[0] - ended.level)
-    return dict(zip(problem.quantities, np.linalg.norm(each, axis=0), strict=True))
+    far = np.linalg.norm(each, axis=0) if each else np.zeros(len(problem.quantities))
+    return dict(zip(problem.quantities, far, strict=True))
 
 
-@remembered
-def led(problem: Problem, ended: SearchResult) -> np.ndarray:
-    """How far that step takes every coordinate: nowhere where nothing is missed."""
-    if ended.disturbance.cause is None:
-        return np.zeros(len(ended.local.prior))
+def steps(problem: Problem, ended: SearchResult) -> np.ndarray:
+    """How far that step takes every quantity."""
     found, local, prior = ended.disturbance, ended.local, problem.belief.prior
     causes = found.causes(problem.kinds)
     every = grams_at(problem, ended.best, 0, set(causes))
@@ -47,7 +44,7 @@ def led(problem: Problem, ended: SearchResult) -> np.ndarray:
         known = weighed(gram, found.kinds[kind])
         curvature[np.ix_(gram.place, gram.place)] += known[:-1, :-1]
         slope[gram.place] += known[:-1, -1]
-    return np.linalg.solve(curvature, slope)
+    return local.quantities @ np.linalg.solve(curvature, slope)
 
 
 def weighed(gram: Gram, missed: Missed) -> np.ndarray:

@@ -13,7 +13,6 @@ from exoid.fitting.model.systematics import (
     OWNED,
     SOMEWHERE,
 )
-from exoid.fitting.multistart.pulled_by_declared import led
 from exoid.fitting.multistart.rare import undeclared
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.chief import WORDS
@@ -37,18 +36,17 @@ TOLD = 0.7  # of its prior's error: below it the recording has told something
 
 def estimate_mountings(basis: Basis, moved: Moved) -> list[MountingFit]:
     """What every recording owned, where the recording tells more than was known before. Its error
-    holds how far the fit may have `moved`, and how far what it misses may have led it.
+    holds how far the fit may have `moved`.
     """
     problem, point = basis.problem, basis.ended.point
-    laid, astray = layout(point), led(problem, basis.ended)
+    laid = layout(point)
 
     def estimate(field: str, entry: int) -> Estimate | None:
         if not problem.estimates(field, entry) or in_no_unit(problem, field):
             return None
         at = int(getattr(laid.places.mounting, field)[entry])
         gradient = laid.units * (np.arange(laid.size) == at)
-        parts = basis.information.standard_error(gradient), moved.off(gradient), gradient @ astray
-        error = float(np.linalg.norm(parts))
+        error = float(np.hypot(basis.information.standard_error(gradient), moved.off(gradient)))
         unplaced = any(one.unplaced for one in problem.recordings[entry])
         always = field in OF_THE_GYRO or (field == "log_distance" and unplaced)
         if not (always or error < TOLD * problem.deviation_of(field)[entry]):

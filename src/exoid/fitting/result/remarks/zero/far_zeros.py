@@ -29,9 +29,8 @@ def of_far_zeros(problem: Problem, ended: SearchResult) -> list[str]:
     if problem.belief.rig:
         return []
     zeros, usual = ended.point.mounting.zero, problem.deviation_of("zero")
-    drifts = "or an angle that drifts " if ended.disturbance.cause is not None else ""
     return [
-        said(problem, entry, float(zeros[entry]), float(usual[entry]), drifts)
+        said(problem, entry, float(zeros[entry]), float(usual[entry]))
         + alike(problem, ended, entry)
         for entry in problem.estimated("zero")
         if abs(float(zeros[entry])) > FAR * usual[entry]
@@ -44,16 +43,15 @@ def alike(problem: Problem, ended: SearchResult, entry: int) -> str:
     return f" {found.sentence}" if found else ""
 
 
-def said(problem: Problem, entry: int, zero: float, usual: float, drifts: str = "") -> str:
-    """The same of one recording; `zero` and what is `usual` in rad, and if it also `drifts`."""
+def said(problem: Problem, entry: int, zero: float, usual: float) -> str:
+    """The same of one recording; `zero` and what is `usual` in rad."""
     own = problem.recordings[entry]
     whose = f" of {own[0].source}" if len(problem.recordings) > 1 else ""
     by = "the sidecar says" if "zero" in own[0].systematics.declared else "is assumed"
     return (
         f"by this fit the encoder{whose} shows {np.degrees(zero):.3g} deg with the knee extended, "
         f"{abs(zero) / usual:.2g} times the ± {np.degrees(usual):.2g} deg that {by}: m l g / J and "
-        f"c / J hold with that zero alone, and a spring that is slack at another angle {drifts}"
-        "looks alike. "
+        "c / J hold with that zero alone, and a spring that is slack at another angle looks alike. "
         "Look what the encoder shows there, and say it in [sensors]: angle_zero_deg, or --zero "
         "hanging where 0 is the hanging leg, or a smaller angle_zero_uncertainty_deg where it is 0."
     )
