@@ -243,7 +243,7 @@ def test_torques_and_mountings_have_a_name_for_every_segment_and_recording():
 def test_segments_that_were_fitted_alone_have_no_posterior(fitted):
     """`fit_each` gives a result without a basis."""
     with pytest.raises(ValueError, match="no one fit to draw around"):
-        sample(replace(fitted, basis=None))
+        sample(replace(fitted, basis=None, leg=None))
 
 
 def test_packages_that_are_missing_are_named(fitted, monkeypatch):
