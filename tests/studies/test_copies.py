@@ -3,8 +3,8 @@
 import pandas as pd
 
 from exoid.cli.outputs.study_run import doubted
-from exoid.studies.dataset.open_dataset import open_dataset
 from exoid.studies.page.parts.copies import copies
+from study_checks import checked
 from study_folders import study
 
 ROWS = [
@@ -24,8 +24,8 @@ def test_a_copy_is_named_and_of_two_people_nobody_knows_whose_it_is():
 
 def test_a_run_says_how_many_errors_check_finds_and_by_which_command(tmp_path):
     folder = study(tmp_path, ["P01_left.csv", "P02_left.csv"])
-    assert [*doubted("archive", open_dataset(folder))] == []
+    assert [*doubted("archive", checked(folder, 0).errors)] == []
     (folder / "P02_left.csv").write_text((folder / "P01_left.csv").read_text())
-    (said,) = doubted("archive", open_dataset(folder))
+    (said,) = doubted("archive", checked(folder, 0).errors)
     assert said.startswith("1 error in this data set")
     assert "exoid study check archive" in said

@@ -19,11 +19,8 @@ def check_results(folder: Path) -> None:
         raise ValueError(f"{folder}: the folder {folder.parent} does not exist. Make it first.")
 
 
-def doubted(folder: str, dataset: Any) -> Iterator[str]:
+def doubted(folder: str, errors: int) -> Iterator[str]:
     """That names, sidecars or contents have errors, how many, and which command tells them."""
-    from exoid.studies.dataset.check.check import check_dataset
-
-    errors = check_dataset(dataset, 0, lambda _: None).errors
     if errors:
         yield (
             f"{counted(errors, 'error')} in this data set: results of them are wrong or missing. "

@@ -83,9 +83,7 @@ class FitResult:
     thigh_angle: Annotated[float, "rad"] = 0.0
     fitted_terms: tuple[Term, ...] = ()  # with the fit's values
     notes: list[str] = field(default_factory=list)
-    basis: Basis | None = field(
-        default=None, metadata={"saved": False}
-    )  # None: saved, or each alone
+    basis: Basis | None = field(default=None, metadata={"saved": False})  # `basis_to` says why
     set_aside: list[str] = field(default_factory=list)  # of the notes: what was not fitted
     gravity_moment: Estimate | None = None  # m l g of the parameters; older files have none
     astray: str | None = None  # why the simulation does not follow the recording, where it does not

@@ -17,6 +17,7 @@ from exoid.cli.outputs.study_run import check_results, doubted, print_outcome
 from exoid.cli.outputs.written import Outputs
 from exoid.cli.terminal.progress import progress
 from exoid.cli.terminal.say import say
+from exoid.cli.terminal.waiting import in_phases
 
 
 def run(
@@ -68,6 +69,7 @@ def run(
     check_results(results)
     if workers is not None and scheduler is not None:
         raise ValueError("--workers are of this machine, --scheduler names others: leave one out.")
+    from exoid.studies.dataset.check.check import check_dataset
     from exoid.studies.engine.run_study import run_study
     from exoid.studies.engine.settings import Settings
 
@@ -79,7 +81,8 @@ def run(
     named = tuple(each.strip() for each in steps.split(","))
     settings = Settings(named, fitted, asked)
     found = opened(dataset)
-    say(*doubted(str(dataset), found))
+    checked = in_phases(lambda told: check_dataset(found, 0, told), "looking at recordings")
+    say(*doubted(str(dataset), checked.errors))
     with progress("recordings") as told:
         made = run_study(found, results, settings, count=workers, scheduler=scheduler, told=told)
     show(lambda console: print_outcome(made, results, console))
