@@ -114,7 +114,7 @@ def classify(segment: Segment) -> Kind | None:
     """Swung out, whatever lifts the leg after that, or ended lower: a passive drop; back at its
     start: a voluntary cycle; a lift, still, or too few samples for ends and a middle: None.
     """
-    known = known_of(segment)
+    known = known_angle(segment)
     angle = interpolated(segment.time, known)
     if angle.size <= 2 * ENDS or still(segment.time, angle):
         return None
@@ -125,7 +125,7 @@ def classify(segment: Segment) -> Kind | None:
     return "active" if rise < NEAR else None
 
 
-def known_of(segment: Segment) -> Samples:
+def known_angle(segment: Segment) -> Samples:
     """The angle by the first channel that has one, without its wild samples."""
     channel = next(each for each in ANGLES if getattr(segment, each) is not None)
     return np.where(spikes_of(segment, channel, 0.0), np.nan, getattr(segment, channel))
@@ -133,7 +133,7 @@ def known_of(segment: Segment) -> Samples:
 
 def stays(segment: Segment) -> bool:
     """Does its angle stay where it is, but for noise?"""
-    return still(segment.time, interpolated(segment.time, known_of(segment)))
+    return still(segment.time, interpolated(segment.time, known_angle(segment)))
 
 
 def still(time: Samples, angle: Samples) -> bool:
