@@ -111,6 +111,7 @@ def test_without_a_terminal_a_long_run_has_lines_and_a_short_one_none(
     command, here, folder, tmp_path, monkeypatch
 ):
     asked = ("study", "run", folder, "--steps", "drops", "-o")
+    monkeypatch.setattr(module, "SHORT", 3600.0)
     assert command(*asked, tmp_path / "short").stderr == ""
     monkeypatch.setattr(module, "SHORT", 0.0)
     lines = command(*asked, tmp_path / "long").stderr.splitlines()

@@ -26,8 +26,11 @@ DESKTOP, PHONE = {"width": 1280, "height": 900}, {"width": 390, "height": 844}
 SMALLEST = {"width": 360, "height": 740}
 SHEETS = 5  # of A4
 PATIENCE = 60_000  # ms, for a machine that does other things as well
-OPENED = 2.0  # s
+OPENED = 6.0  # times what a hundred million multiplications take: two seconds at a third of one
 LOADS = 3  # at most: one that is fast enough tells what the page needs
+MULTIPLIED = """() => {
+  for (let each = 0, made = 1; each < 1e8; each++) made = Math.imul(made, 1664525) + 1;
+}"""
 PAPER = 703  # pixels between the margins of A4
 RANGE = "document.querySelector('#motion-0 .plot').layout.xaxis.range"
 FIRST_FIGURE = """() => new Promise((resolve) => {
@@ -131,7 +134,7 @@ def test_every_figure_is_drawn_with_marks_or_lines(desktop):
 
 
 def test_first_figure_is_seen_within_two_seconds(browser, report):
-    """Seconds in which the page's thread computes: what else the machine does is no part of it."""
+    """Seconds of a common computer, in which the page's thread computes."""
     taken = []
     for _ in range(LOADS):
         context = browser.new_context(viewport=DESKTOP)
@@ -140,12 +143,21 @@ def test_first_figure_is_seen_within_two_seconds(browser, report):
         inside.send("Performance.enable", {"timeDomain": "threadTicks"})
         page.goto(report.as_uri(), wait_until="commit")
         page.evaluate(FIRST_FIGURE)
-        counted = inside.send("Performance.getMetrics")["metrics"]
+        first = computed(inside)
+        page.wait_for_selector("html.drawn", timeout=PATIENCE)
+        drawn = computed(inside)
+        page.evaluate(MULTIPLIED)
+        taken.append(first / (computed(inside) - drawn))
         context.close()
-        taken.append(next(each["value"] for each in counted if each["name"] == "ThreadTime"))
         if taken[-1] < OPENED:
             return
-    pytest.fail(f"no load took less than {OPENED} s: {taken}")
+    pytest.fail(f"no load took less than {OPENED} times: {taken}")
+
+
+def computed(inside) -> float:
+    """s of the page's thread so far."""
+    counted = inside.send("Performance.getMetrics")["metrics"]
+    return next(each["value"] for each in counted if each["name"] == "ThreadTime")
 
 
 def test_a_zoom_of_one_segment_is_one_of_all(desktop):

@@ -55,6 +55,7 @@ class Term(eqx.Module):
     remark: ClassVar[str] = ""  # what to know of its numbers
     twin: ClassVar[str] = ""  # what looks the same in every recording
     named_only: ClassVar[bool] = False  # need no search try it by itself: a twin, or a finer form
+    steady: ClassVar[bool] = False  # is its torque the same at all times
     same_torque: ClassVar[str] = ""  # the term that pushes just like this one, whatever is recorded
     opposite: ClassVar[str] = ""  # the term that this one takes in where the two are opposite
     memory_size: ClassVar[int] = 0  # of a state of its own

@@ -25,7 +25,6 @@ from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.ratios import Ratios
 from exoid.physics.state import LegState
 from exoid.physics.term import Term, holds, name_of
-from exoid.physics.terms.constant_torques import CONSTANT_TORQUES
 
 if TYPE_CHECKING:
     from exoid.online.model.weighed import Weighed
@@ -100,7 +99,7 @@ class Unknowns:
     @property
     def pushed(self) -> bool:
         """Has a term a constant torque of its own, of which a slack spring's is a part?"""
-        return any(name_of(term) in CONSTANT_TORQUES for term in self.terms)
+        return any(term.steady for term in self.terms)
 
     def terms_of(self, row: Row, inertia: Any) -> tuple[Term, ...]:
         """The terms in their own units."""

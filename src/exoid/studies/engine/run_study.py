@@ -35,10 +35,10 @@ def run_study(
     `count` workers of this machine, or those of `scheduler`. `told` hears of a step with how many
     recordings it is done, of how many.
 
-    **Raises** `ValueError` where recordings of the study lie in `results`.
+    **Raises** `ValueError` where recordings of the study lie in `results`, or a package is missing.
     """
     check_apart(dataset, results)
-    require("pyarrow", "the tables of a study are written", "study")
+    check_packages()
     from exoid.studies.engine.kept.assemble import assemble
     from exoid.studies.engine.kept.parts import FOLDER, folder_of, missing_in
 
@@ -63,6 +63,12 @@ def run_study(
                 others[step] = rows_of_lost(lost)
     computed = {item.key for left in missing.values() for item in left}
     return outcome(write(others), settings.steps, len(computed), time.monotonic() - began)
+
+
+def check_packages() -> None:
+    """**Raises** `ValueError` where a package is missing with which a study is run."""
+    require("distributed", "a study is computed", "study")
+    require("pyarrow", "the tables of a study are written", "study")
 
 
 def check_apart(dataset: Dataset, results: Path) -> None:

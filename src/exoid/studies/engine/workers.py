@@ -8,7 +8,6 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from exoid.files.extras import require
 from exoid.files.library_faults import quiet
 
 UNKNOWN = 4 * 2**30  # bytes that are taken to be free where the system does not tell
@@ -30,7 +29,6 @@ def workers(count: int | None, scheduler: str | None, needed: int) -> Iterator[A
     """A client of dask.distributed: of `scheduler`, tcp://..., or of `count` processes here, each
     of which needs so many bytes.
     """
-    require("distributed", "a study is computed")
     import distributed  # noqa: F401  # its defaults are there before settings are put over them
     from dask import config
 

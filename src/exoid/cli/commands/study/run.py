@@ -70,9 +70,10 @@ def run(
     if workers is not None and scheduler is not None:
         raise ValueError("--workers are of this machine, --scheduler names others: leave one out.")
     from exoid.studies.dataset.check.check import check_dataset
-    from exoid.studies.engine.run_study import run_study
+    from exoid.studies.engine.run_study import check_packages, run_study
     from exoid.studies.engine.settings import Settings
 
+    check_packages()
     asked = {"seed": seed, **assumed(prior, bounds, fix, bound)}
     more = {"multistart": multistart, "weight": weight, "smooth": smooth}
     fitted = {**asked, **more, "misfit": misfit, "clip": clip}

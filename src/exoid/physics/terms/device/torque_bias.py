@@ -21,6 +21,7 @@ class TorqueBias(PhysicsTerm):
     isolate_rig = "the hanging angle without and with a known added mass"
     isolate_driven = "slow movements both ways, and where the axis rests with the motor off"
 
+    steady = True
     same_torque = "stiffness_rest_angle"
 
     bias: Parameter = parameter("tau_b", "N m", -50.0, 50.0, "constant torque", (0.3,))

@@ -23,6 +23,7 @@ class StiffnessRestAngle(PhysicsTerm):
     isolate = "the hanging angle without and with a known added mass"
     isolate_driven = "the angle at which the axis rests with the motor off"
 
+    steady = True
     same_torque = "torque_bias"
 
     rest_angle: Parameter = parameter(

@@ -22,7 +22,6 @@ from exoid.fitting.result.remarks.pushed.laws import CONSTANT, LAWS, Law
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.parameter import declarations
 from exoid.physics.term import holds, name_of
-from exoid.physics.terms.constant_torques import CONSTANT_TORQUES
 
 RATIOS = {
     "damping": "d / J would be {:.4g} 1/s",
@@ -70,7 +69,7 @@ def lawful(problem: Problem, ended: SearchResult, free: np.ndarray) -> bool:
 def asked_of(problem: Problem) -> list[Law]:
     """The laws that it may be, whose term the model does not have."""
     having = set(map(name_of, problem.terms))
-    constant = problem.belief.rig and not CONSTANT_TORQUES & having
+    constant = problem.belief.rig and not any(term.steady for term in problem.terms)
     return [
         law for law in LAWS if name_of(law.term) not in having and (constant or law != CONSTANT)
     ]

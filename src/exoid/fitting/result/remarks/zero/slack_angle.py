@@ -22,8 +22,6 @@ from exoid.fitting.result.remarks.zero.leaning import (
     Leaning,
 )
 from exoid.fitting.solve.problem import Problem
-from exoid.physics.term import name_of
-from exoid.physics.terms.constant_torques import CONSTANT_TORQUES
 
 TOLD = np.radians(5.0)  # error of the rest angle below which a fit by itself shows one of BENT
 FELT, WORTH = 2.0, 0.01  # errors, and share, of a ratio left open where the rest angle is told
@@ -60,8 +58,8 @@ def leaning(
     """Where nothing holds the coordinates in these `free` directions; None on a rig, and where the
     model has no spring or a constant torque of its own.
     """
-    stiffness, terms = float(ended.point.shared.stiffness), map(name_of, problem.terms)
-    if problem.belief.rig or stiffness <= 0 or CONSTANT_TORQUES & set(terms):
+    stiffness = float(ended.point.shared.stiffness)
+    if problem.belief.rig or stiffness <= 0 or any(term.steady for term in problem.terms):
         return None
     grams, constant = grams_of(problem, ended), [1.0] * len(problem.kinds)
     pull, left, seen = answer(problem, ended, free, grams, constant)
