@@ -245,6 +245,24 @@ def test_what_is_the_same_in_every_recording_is_no_doubt(named, twin, title):
     assert "cannot tell" not in said["How sure"]
 
 
+@pytest.mark.parametrize("named", ["stiffness_rest_angle", "torque_bias", "coulomb_friction"])
+def test_a_constant_torque_beside_measured_ones_may_be_the_zero_of_their_sensor(named):
+    """What acts is what is measured less what is shown of none, in every sample; of drops nothing
+    is measured.
+    """
+    one, (cause,) = found(), found().findings
+    driven = [replace(each, kind="measured") for each in one.before.segments]
+    steady = replace(one, findings=[replace(cause, name=named)])
+    moved = replace(steady, before=replace(one.before, segments=driven))
+    mixed = replace(steady, before=replace(one.before, segments=[*driven, *one.before.segments]))
+    zero = "or a torque sensor whose zero is off by as much"
+    constant = named != "coulomb_friction"
+    assert (f"; {zero}, which would look exactly alike" in sentences(moved)["Missing"]) == constant
+    assert verdict(moved).endswith(f", {zero}") == constant
+    for each in (steady, mixed):
+        assert "torque sensor" not in sentences(each)["Missing"] + verdict(each)
+
+
 def test_a_number_that_is_smaller_than_its_error_is_no_size():
     wide = Parameter("torque_bias.bias", -0.2, "N m", 1.3)
     assert parameter(wide) == "bias not determined (± 1.3 N m)"

@@ -7,6 +7,7 @@ from exoid.physics.term import Term, name_of
 from exoid.report.words.text import causes_in_words
 
 SUSPECTS = 3  # that are named
+SENSOR_ZERO = "a torque sensor whose zero is off by as much"
 CERTAIN = 0.001  # below this share a chance is written as "below"
 
 
@@ -26,7 +27,16 @@ def others(found: Diagnosis) -> list[str]:
 
 def twins(found: Diagnosis) -> dict[str, str]:
     """The titles of what looks exactly like one of the causes in every recording, by its name."""
-    return {name_of(term): term.title for term in exact_twins(found)}
+    return {name_of(term): term.title for term in exact_twins(found)} | of_torque_sensor(found)
+
+
+def of_torque_sensor(found: Diagnosis) -> dict[str, str]:
+    """Its zero, which is a constant torque where a measured torque drove all of the recording: only
+    where none is measured does such a torque act alone.
+    """
+    steady = {name_of(term) for term in library() if term.steady}
+    driven = all(each.kind == "measured" for each in found.before.segments)
+    return {"torque_zero": SENSOR_ZERO} if driven and steady & {*found.selected} else {}
 
 
 def exact_twins(found: Diagnosis) -> list[type[Term]]:
