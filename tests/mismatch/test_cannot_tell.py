@@ -39,7 +39,10 @@ def test_what_other_segments_would_contradict_is_not_asserted(share, causes, dou
     [(-20.0, 5.0, False), (30.0, 100.0, True), (30.0, 5000.0, False), (30.0, 0.0, False)],
 )
 def test_what_chance_makes_nearly_as_clear_is_not_asserted(usual, claimed, doubted):
-    assert bool(luck(Chance(0.01, usual, claimed))) == doubted
+    said = luck(Chance(0.01, usual, claimed))
+    assert bool(said) == doubted
+    assert all("chance makes some cause clear in one of twenty" in one for one in said)
+    assert all(f"only {claimed / usual:.2g} times as clear (10 would do)" in one for one in said)
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ from exoid.fitting.model.belief import Belief
 from exoid.fitting.result.estimates.estimate import Estimate
 from exoid.fitting.result.remarks.anatomy_remarks import at_rate, from_anatomy, unlike_anatomy
 from exoid.fitting.result.remarks.stopped_remarks import of_stopped
-from exoid.mismatch.conclude.false_alarm import Chance
+from exoid.mismatch.conclude.false_alarm import FAR, Chance
 from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
@@ -126,12 +126,14 @@ def filtered_away(prepared: PreparedRecording, formula: Formula | None) -> list[
 
 
 def luck(lucky: Chance) -> list[str]:
-    """That what is left would often enough look like a cause by chance."""
+    """That what is left would often enough look like a cause by chance, and how much less."""
     if not lucky.doubtful:
         return []
     return [
-        "by chance alone some cause would seem nearly as likely here: record the same movement "
-        "again, for what is of the leg comes back"
+        "of recordings that leave as much unexplained as this one, chance makes some cause clear "
+        f"in one of twenty, and what was found is only {lucky.claimed / lucky.usual:.2g} times as "
+        f"clear ({FAR:.0f} would do): record the same movement again, for what is of the leg "
+        "comes back"
     ]
 
 
