@@ -14,6 +14,7 @@ NORMAL = 1.4826  # standard deviation over the median of what is normal
 UNUSUAL = 3.0  # standard deviations of a jerk
 ROUNDS = 4  # for the first strikes make others seem usual
 SELDOM = 0.1  # of all steps, up to which strikes are what is unusual
+HAND = 0.2  # s from the first sample on, in which what let go of the leg may show
 LEAST = 8  # samples that show what is usual
 
 
@@ -34,14 +35,37 @@ def sharp(time: Samples, rate: Samples, weight: Samples) -> Steps:
     seen = np.flatnonzero(weight > 0)
     if seen.size < LEAST:
         return struck
-    steps = np.diff(time[seen])
-    slopes = np.diff(rate[seen]) / steps
-    changes = np.abs(slopes[1:-1] - (slopes[:-2] + slopes[2:]) / 2)
-    noise = CHANGE / (weight.max() * np.median(steps))
-    usual = max(noise, NORMAL * float(np.median(changes)))
-    for at in 1 + np.flatnonzero(changes > STRUCK * usual):
+    before, behind, usual = by_neighbours(time[seen], rate[seen], weight[seen])
+    for at in 1 + np.flatnonzero(np.abs(before + behind) > 2 * STRUCK * usual):
         struck[seen[at] : seen[at + 1]] = True
     return beside(struck)
+
+
+def times_struck(time: Samples, rate: Samples, weight: Samples) -> int:
+    """How often the rate jumps within a step: it changes far more than in the step before, and than
+    in the one behind. A torque that only begins or ends there, as friction at a turn, makes it
+    change as in one of the two. Where a hand lets go, nothing is counted.
+    """
+    seen = np.flatnonzero(weight > 0)
+    if seen.size < LEAST:
+        return 0
+    before, behind, usual = by_neighbours(time[seen], rate[seen], weight[seen])
+    free = time[seen][1:-2] > time[seen][0] + HAND
+    jumps = np.where(before * behind > 0, np.minimum(np.abs(before), np.abs(behind)), 0.0)
+    return int(np.sum(free & (jumps > STRUCK * usual)))
+
+
+def by_neighbours(
+    time: Samples, rate: Samples, weight: Samples
+) -> tuple[np.ndarray, np.ndarray, float]:
+    """By how much the rate's slope in a step differs from that in the step before, and from that in
+    the one behind, of all steps but the first and the last, and how much is usual [rad/s^2].
+    """
+    steps = np.diff(time)
+    slopes = np.diff(rate) / steps
+    before, behind = slopes[1:-1] - slopes[:-2], slopes[1:-1] - slopes[2:]
+    noise = CHANGE / (weight.max() * np.median(steps))
+    return before, behind, max(noise, NORMAL * float(np.median(np.abs(before + behind) / 2)))
 
 
 def beside(steps: Steps) -> Steps:

@@ -31,6 +31,7 @@ from exoid.mismatch.conclude.verdict.segments.own_torques import (
     of_own_torques,
     own_torques,
 )
+from exoid.mismatch.conclude.verdict.struck import struck
 from exoid.mismatch.conclude.verdict.undecided import share, undecided
 from exoid.mismatch.evidence.location import Location
 from exoid.mismatch.evidence.prediction import Proof
@@ -71,9 +72,10 @@ def judge(case: Case, shown: Proof, repeated: float | None, lucky: Chance) -> Ju
     result, found = case.result, case.found
     if moved := moved_by_tone(result):
         return Judgement("cannot_tell", moved, [], [WITHOUT_TONE], but_ends=False)
-    differing, then = apart_in_time(found, case.best)
-    if differing:
-        return Judgement("cannot_tell", differing, [], then, but_ends=False)
+    for look in (apart_in_time, struck):
+        reasons, then = look(found, case.best)
+        if reasons:
+            return Judgement("cannot_tell", reasons, [], then, but_ends=False)
     verdict, reasons = by_proof(found, case.best, shown, repeated, lucky)
     unseen = hidden(found, result) if verdict == "none" else []
     if unseen:
