@@ -263,6 +263,18 @@ def test_a_constant_torque_beside_measured_ones_may_be_the_zero_of_their_sensor(
         assert "torque sensor" not in sentences(each)["Missing"] + verdict(each)
 
 
+def test_a_suspected_constant_torque_beside_measured_ones_may_be_the_zero_of_their_sensor():
+    one = doubtful()
+    driven = [replace(each, kind="measured") for each in one.before.segments]
+    moved = replace(one, before=replace(one.before, segments=driven))
+    zero = "A constant torque is here as a torque sensor whose zero is off: read it with nothing"
+    for terms, told in ((["coulomb_friction"], False), (["gyro_scale", "torque_bias"], True)):
+        suspected = [Suspect(terms, [])]
+        said = sentences(replace(moved, suspected=suspected))["Suspected"]
+        assert (zero in said) == told
+        assert zero not in sentences(replace(one, suspected=suspected))["Suspected"]
+
+
 def test_a_number_that_is_smaller_than_its_error_is_no_size():
     wide = Parameter("torque_bias.bias", -0.2, "N m", 1.3)
     assert parameter(wide) == "bias not determined (± 1.3 N m)"

@@ -7,7 +7,7 @@ from exoid.physics.term import Term, name_of
 from exoid.report.words.text import causes_in_words
 
 SUSPECTS = 3  # that are named
-SENSOR_ZERO = "a torque sensor whose zero is off by as much"
+SENSOR_ZERO = "torque sensor whose zero is off"
 CERTAIN = 0.001  # below this share a chance is written as "below"
 
 
@@ -34,9 +34,15 @@ def of_torque_sensor(found: Diagnosis) -> dict[str, str]:
     """Its zero, which is a constant torque where a measured torque drove all of the recording: only
     where none is measured does such a torque act alone.
     """
+    alike = like_its_zero(found, found.selected)
+    return {"torque_zero": f"a {SENSOR_ZERO} by as much"} if alike else {}
+
+
+def like_its_zero(found: Diagnosis, causes: list[str]) -> bool:
+    """Is one of them a constant torque, where a measured torque drove all of the recording?"""
     steady = {name_of(term) for term in library() if term.steady}
     driven = all(each.kind == "measured" for each in found.before.segments)
-    return {"torque_zero": SENSOR_ZERO} if driven and steady & {*found.selected} else {}
+    return driven and bool(steady & {*causes})
 
 
 def exact_twins(found: Diagnosis) -> list[type[Term]]:
@@ -79,7 +85,11 @@ def suspected(found: Diagnosis) -> str:
     none explains most of it, what explains most.
     """
     ran = [one for one in (*found.singles, *found.pairs) if one.terms][:SUSPECTS]
-    return ", ".join(by_push([one.terms for one in found.suspected or ran], found.equivalent)) + "."
+    each = [one.terms for one in found.suspected or ran]
+    said = ", ".join(by_push(each, found.equivalent)) + "."
+    if not like_its_zero(found, [name for terms in each for name in terms]):
+        return said
+    return f"{said} A constant torque is here as a {SENSOR_ZERO}: read it with nothing on it."
 
 
 def by_push(some: list[list[str]], equivalent: list[str]) -> list[str]:
