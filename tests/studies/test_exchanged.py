@@ -1,5 +1,7 @@
 """Visits whose sides are exchanged: who and when is told, and nobody else."""
 
+import numpy as np
+import pandas as pd
 import pytest
 from benchmarks.studies.tables import Design, Truth, simulate
 
@@ -8,7 +10,8 @@ from exoid.studies.page.parts.opening import opening
 from exoid.studies.statistics.ask import ask
 from exoid.studies.statistics.asked import Asked
 from exoid.studies.statistics.tables.study import study_of
-from exoid.studies.statistics.visits.exchanged import Exchanged, exchanged
+from exoid.studies.statistics.tables.values import Values
+from exoid.studies.statistics.visits.exchanged import Exchanged, exchanged, verdicts
 
 WHO = "sub-005"
 
@@ -74,3 +77,30 @@ def test_a_leg_that_changed_and_legs_that_are_alike_are_not_called_exchanged(stu
     means = rows[rows["participant"] == WHO].groupby("side")["value"].mean()
     alike = with_legs(study, WHO, float(means["left"] - means["right"]))
     assert exchanged(turned(alike, WHO, "day2")) == ()
+
+
+PEOPLE, VISITS = 40, 2
+
+
+def heavy(draw):
+    """Values of one sound study in which legs differ, and visits scatter as t with three degrees of
+    freedom does: by the day, and by the leg.
+    """
+    apart = draw.normal(0.0, 5.0, (PEOPLE, 1))
+    legs = np.stack([apart / 2, -apart / 2], axis=1)
+    day = draw.standard_t(3, (PEOPLE, 1, VISITS))
+    found = legs + day + draw.standard_t(3, (PEOPLE, 2, VISITS))
+    rows = [
+        (f"p{who:02d}", side, f"day{visit}", found[who, at, visit], 0.1)
+        for who in range(PEOPLE)
+        for at, side in enumerate(("left", "right"))
+        for visit in range(VISITS)
+    ]
+    columns = ["person", "side", "session", "value", "error"]
+    return Values("damping", "1/s", pd.DataFrame(rows, columns=columns))
+
+
+def test_visits_that_scatter_with_heavy_tails_are_not_called_exchanged():
+    # Were their scatter taken for normal, one of these 20 would be.
+    draw = np.random.default_rng(4)
+    assert not any(1 in verdicts(heavy(draw)).values() for _ in range(20))
