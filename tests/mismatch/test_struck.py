@@ -48,6 +48,12 @@ def test_friction_that_turns_strikes_nothing(friction):
         assert times_struck(*fallen(friction, seed=seed)[:3]) == 0
 
 
+def test_a_sample_that_is_wrong_by_itself_is_no_strike():
+    time, rate, weight, _ = fallen()
+    rate[60:360:30] += np.tile([1.0, -0.3], 5)  # rad/s
+    assert times_struck(time, rate, weight) == 0
+
+
 def test_every_run_into_a_stop_that_lies_apart_from_others_is_seen():
     time, rate, weight, hits = fallen(stop=STOP)
     assert 3 <= times_struck(time, rate, weight) <= hits

@@ -44,15 +44,17 @@ def sharp(time: Samples, rate: Samples, weight: Samples) -> Steps:
 def times_struck(time: Samples, rate: Samples, weight: Samples) -> int:
     """How often the rate jumps within a step: it changes far more than in the step before, and than
     in the one behind. A torque that only begins or ends there, as friction at a turn, makes it
-    change as in one of the two. Where a hand lets go, nothing is counted.
+    change as in one of the two. Nothing is counted where a hand lets go, nor a sample by itself, to
+    which the rate jumps and at once back.
     """
     seen = np.flatnonzero(weight > 0)
     if seen.size < LEAST:
         return 0
     before, behind, usual = by_neighbours(time[seen], rate[seen], weight[seen])
     free = time[seen][1:-2] > time[seen][0] + HAND
-    jumps = np.where(before * behind > 0, np.minimum(np.abs(before), np.abs(behind)), 0.0)
-    return int(np.sum(free & (jumps > STRUCK * usual)))
+    least = np.minimum(np.abs(before), np.abs(behind)) > STRUCK * usual
+    way = np.where(free & least & (before * behind > 0), np.sign(before), 0.0)
+    return int(np.sum((way != 0) & (way != -np.roll(way, 1)) & (way != -np.roll(way, -1))))
 
 
 def by_neighbours(
