@@ -1,5 +1,6 @@
 """What the gyro shows of strikes without any model, and what cannot be claimed beside them."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 from unittest.mock import Mock
 
@@ -13,6 +14,7 @@ from exoid.mismatch.conclude.verdict import judge as judging
 from exoid.mismatch.conclude.verdict.struck import struck
 from exoid.mismatch.evidence.location import Location
 from exoid.mismatch.evidence.prediction import Proof
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.sensors.strikes import times_struck
 from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.hard_stop import HardStop
@@ -67,9 +69,10 @@ def shown(*terms, left=50_000.0, stop=STOP):
     found = found_of([best])
     rows = [row[None] for row in fallen(stop=stop)[:3]]
     names = ("time", "angular_velocity", "velocity_weight")
-    found.prepared.seen = SimpleNamespace(**dict(zip(names, rows, strict=True)))
-    found.prepared.library, found.prepared.moved = (HardStop, QuadraticDrag, Backlash), "leg"
-    return found, best
+    seen = SimpleNamespace(**dict(zip(names, rows, strict=True)))
+    every = (HardStop, QuadraticDrag, Backlash)
+    prepared = Mock(spec=PreparedRecording, seen=seen, library=every, moved="leg")
+    return replace(found, prepared=prepared), best
 
 
 def test_nothing_that_does_not_strike_is_claimed_where_something_does(monkeypatch):
