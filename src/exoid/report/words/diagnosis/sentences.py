@@ -106,7 +106,10 @@ def where(found: Diagnosis) -> str:
                for each in place.regions[:3]]  # fmt: skip
     if not regions:
         differ = "the sensors differ, or " if found.sensors else ""
-        return f"no torque stands out of the noise: {differ}it is spread thinly."
+        return (
+            f"no torque that lasts stands out of the noise: {differ}it is spread thinly, or acts "
+            "for moments only, as where something strikes."
+        )
     said = for_inertia(place.inertia or found.inertia, found.fit)
     scale = f" ({said})" if "," in said else ""
     if guessed(found.fit):
