@@ -19,7 +19,7 @@ from exoid.studies.statistics.tables.said import NotTold
 from exoid.studies.statistics.tables.study import LEADING, Study
 from exoid.studies.statistics.tables.values import OCCASION, Values, means, values_of
 
-CHANCE = 5e-3  # of a sound study, that a quantity calls a visit in it exchanged
+CHANCE = 1e-3  # of a sound study, that a quantity calls a visit in it exchanged
 ORDINARY = 0.01  # p, from which visits scatter like this
 AGAINST = 0.01  # odds, below which a quantity speaks against an exchange
 TAILS = 3.0  # degrees of freedom of t, as visits scatter
