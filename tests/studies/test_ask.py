@@ -85,7 +85,7 @@ def test_each_leg_and_day_counts_the_same_however_many_drops_it_has(study):
         (Asked(by="grp"), "There is: group, dose, age_years, body_mass_kg"),
         (Asked(before="day1", after="day9"), "'day9': the results have no such session"),
         (Asked(before="day1"), "name both"),
-        (Asked(task="walk"), "no such task"),
+        (Asked(task="walk"), "no such task. They have none."),
     ],
 )
 def test_a_name_that_is_not_there_is_told_with_those_that_are(study, asked, word):

@@ -96,11 +96,11 @@ def test_groups_that_cannot_be_compared_are_refused(groups, word):
         compare_groups(values, "group")
 
 
-def test_people_of_no_group_are_left_out_and_counted():
+def test_people_of_no_group_are_left_out_and_named():
     values = people(np.random.default_rng(0).normal(size=7), ["a"] * 3 + ["b"] * 3 + [None])
     found = compare_groups(values, "group")
     assert found.people == 6
-    assert found.notes == ("1 person left out: group is not known.",)
+    assert found.notes == ("1 person left out (p006): group is not known.",)
 
 
 def test_a_person_of_two_groups_is_named():

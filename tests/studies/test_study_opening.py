@@ -2,17 +2,20 @@
 
 import re
 from dataclasses import replace
+from io import StringIO
 
 import pandas as pd
 import pytest
 from benchmarks.studies.tables import Design, Truth, simulate
 from html_tree import parse
+from rich.console import Console
 
 from exoid.report.parts.origin import Origin
 from exoid.studies.page.page import build_page
 from exoid.studies.page.parts.opening import in_whom, opening
 from exoid.studies.page.parts.part import Told
 from exoid.studies.page.parts.words import FEWEST, finding, grade, repeated
+from exoid.studies.page.terminal import notes, print_study
 from exoid.studies.statistics.ask import ask
 from exoid.studies.statistics.asked import Asked
 from exoid.studies.statistics.physics import Cause
@@ -23,6 +26,8 @@ TRUTHS = (
     Truth(effect=-0.6),
     Truth("period", "s", 1.1, 0.05, 0.02, 0.02, 0.01, 0.01, 0.01, effect=0.0),
 )
+
+BY_PERIOD = Asked(by="group", primary=("period",))
 
 
 @pytest.fixture(scope="module")
@@ -140,3 +145,36 @@ def test_the_page_has_all_of_it_before_anything_else(study):
     places = [text.index(each) for each in opening(answers)]
     assert places == sorted(places)
     assert places[-1] < text.index("Were all recordings read?")
+
+
+def test_a_question_that_no_recording_told_is_said_before_anything_else(study):
+    rows = study.quantities
+    told = rows["determined_by"].where(rows["quantity"] != "period", "prior")
+    answers = ask(study_of(study.recordings, rows.assign(determined_by=told)), BY_PERIOD)
+    first, second, *_ = opening(answers)
+    assert first.startswith("Period, which was the question, is not told, and nothing below")
+    assert "anatomy" in first
+    assert second.startswith("Relaxation index is lower")
+
+
+def test_the_finding_is_of_a_quantity_that_groups_tell(study):
+    rows = study.quantities
+    one_group = study.recordings.set_index("recording")["participant_group"] == "control"
+    untold = (rows["quantity"] == "relaxation_index") & rows["recording"].map(one_group)
+    lost = study_of(study.recordings, rows.assign(value=rows["value"].mask(untold)))
+    assert said(lost, by="group")[0].startswith("Period: no difference that is sure between")
+
+
+def test_somebody_of_no_group_is_named_in_the_terminal(study):
+    known = study.recordings["participant_group"].mask(study.recordings["participant"] == "sub-003")
+    told = study_of(study.recordings.assign(participant_group=known), study.quantities)
+    answers = ask(told, Asked(by="group"))
+    assert "1 person left out (sub-003): group is not known." in notes(answers)
+
+
+def test_the_differences_of_sides_are_read_on_80_columns(study):
+    console = Console(width=80, file=StringIO())
+    print_study(ask(study, Asked()), console)
+    *_, of_sides = console.file.getvalue().partition("right - left")
+    for words in ("relaxation index", "period", "quantity", "mean difference", "corrected"):
+        assert words in of_sides

@@ -15,8 +15,9 @@ from exoid.studies.page.parts.tables import (
     reliabilities,
     values,
 )
-from exoid.studies.page.parts.words import column_words, reasons, silent, told_of
+from exoid.studies.page.parts.words import MAIN, column_words, reasons, silent, told_of
 from exoid.studies.statistics.asked import Answers
+from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.physics import ALL
 from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.tables.said import Untold
@@ -51,6 +52,8 @@ def notes(answers: Answers) -> list[str]:
     said += [f"{each.quantity}: {one}" for each in answers.each for one in each.values.notes]
     found = (each.reliability for each in answers.each)
     said += told_of([each for each in found if isinstance(each, Reliability)])
+    compared = (getattr(each, kind) for kind in MAIN for each in answers.each)
+    said += dict.fromkeys(x for one in compared if isinstance(one, Comparison) for x in one.notes)
     said += silent(answers)
     for kind in ("reliability", "groups", "change", "change_by_group", "sides"):
         said += reasons(answers, kind)

@@ -50,7 +50,7 @@ def known(study: Study, asked: Asked) -> Asked:
     if bool(asked.before) != bool(asked.after) or (asked.before and asked.before == asked.after):
         raise ValueError("before and after are two different sessions: name both.")
     if asked.task:
-        check("task", [asked.task], tuple(sorted({*study.recordings["task"]})))
+        check("task", [asked.task], tuple(sorted({*study.recordings["task"]} - {""})))
     by, *adjust = (column_of(study, each) if each else "" for each in (asked.by, *asked.adjust))
     return replace(asked, by=by, adjust=tuple(adjust))
 

@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Float
 from scipy.stats import f
 
-from exoid.files.counted import counted
+from exoid.files.counted import counted, some_of
 from exoid.studies.statistics.agreement import wald
 from exoid.studies.statistics.hedges import hedges
 from exoid.studies.statistics.mixed.covariates import apart, centred, label
@@ -21,6 +21,7 @@ from exoid.studies.statistics.tables.values import Values, per_person
 
 FEWEST = 2  # people of a group
 MOST_GROUPS = 12
+NAMED = 8  # people who are left out; the others are counted
 Contrast = Float[np.ndarray, " effect"]
 
 
@@ -100,9 +101,10 @@ def complete(values: Values, columns: Sequence[str]) -> tuple[Frame, tuple[str, 
             who = ", ".join(several.index[several][:3])
             raise NotTold(f"{column!r} is not one thing for each person: see {who}.")
     known = frame[columns].notna().all(axis=1) & (frame[columns] != "").all(axis=1)
-    absent = frame.loc[~known, "person"].nunique()
-    who, what = counted(absent, "person", "people"), " or ".join(columns)
-    notes = (f"{who} left out: {what} is not known.",) if absent else ()
+    absent = sorted(frame.loc[~known, "person"].unique())
+    what = " or ".join(each.removeprefix("participant_").replace("_", " ") for each in columns)
+    who = f"{counted(len(absent), 'person', 'people')} left out ({some_of(absent, NAMED, 'more')})"
+    notes = (f"{who}: {what} is not known.",) if absent else ()
     if not known.any():
         raise NotTold(f"{what} is known of nobody.")
     return frame[known].reset_index(drop=True), notes

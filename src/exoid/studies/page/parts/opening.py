@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from exoid.files.counted import counted
 from exoid.recordings.tables.sheet import listed
-from exoid.report.words.text import by_reason, quantity_words
+from exoid.report.words.text import by_reason, capital, quantity_words
 from exoid.studies.page.parts.correction import tested
 from exoid.studies.page.parts.presence import rests, whose
 from exoid.studies.page.parts.tables import failures
@@ -35,11 +35,22 @@ def opening(answers: Answers) -> list[str]:
     """What differs, how well it repeats, which physics was missing, whose sides may be exchanged,
     and what failed.
     """
+    untold = [*unanswered(answers)]
     if not answers.each:
-        return [finding(answers), failed(answers.study.once)]
+        return [*untold, finding(answers), failed(answers.study.once)]
     parts = (difference(answers), repeats(answers), lacked(answers))
     said = (each for each in parts if each)
-    return [*said, *map(turned, answers.exchanged), failed(answers.study.once)]
+    return [*untold, *said, *map(turned, answers.exchanged), failed(answers.study.once)]
+
+
+def unanswered(answers: Answers) -> Iterator[str]:
+    """The questions from the start to which there is no answer, and why."""
+    for name in answers.asked.primary:
+        if name in answers.silent:
+            yield (
+                f"{capital(quantity_words(name))}, which was the question, is not told, and "
+                f"nothing below answers it: {answers.silent[name]}"
+            )
 
 
 def difference(answers: Answers) -> str:

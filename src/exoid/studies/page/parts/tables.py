@@ -95,9 +95,16 @@ def agreements(answers: Answers, kind: str, title: str) -> Table:
         *("grows with size", "due to errors", "p", "corrected p"),
     )
     made = columns(heads, rows)
+    ends = made["95 % of people between"]
+    made["95 % of people between"] = Column([between(each) for each in ends], on_page=ends)
     for head in ("grows with size", "due to errors"):
         made[head] = Column(made[head], only="page")
     return Table(f"{title}; 95 % intervals in brackets", made, title)
+
+
+def between(ends: str) -> str:
+    """Limits without how sure they are, for which a terminal has no room."""
+    return ends.partition(" (")[0]
 
 
 def grown(found: Agreement) -> str:

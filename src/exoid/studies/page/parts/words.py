@@ -162,9 +162,11 @@ def finding(answers: Answers) -> str:
 
 
 def surest(answers: Answers) -> Answer:
-    """The first quantity of which the leading kind of finding is sure, else the first."""
-    first = answers.each[0]
-    kind = next((kind for kind in MAIN if kind in first.corrected), "")
+    """The first quantity of which the leading kind of finding is sure, else the first that has an
+    answer of this kind.
+    """
+    told = ((kind, each) for kind in MAIN for each in answers.each if kind in each.corrected)
+    kind, first = next(told, ("", answers.each[0]))
     sure = (each for each in answers.each if each.corrected.get(kind, 1.0) < SURE)
     return next(sure, first)
 
