@@ -10,6 +10,7 @@ from command_line import refusal
 
 from exoid.cli.terminal import progress as module
 from exoid.cli.terminal.progress import Log, lasting, line
+from exoid.studies.statistics.visits.exchanged import Exchanged
 from study_folders import study
 from study_runs import COMPUTED, NAMES, in_this_process, people
 
@@ -33,7 +34,7 @@ def test_a_run_says_what_it_did_and_writes_two_tables_and_a_document(
     results, document = tmp_path / "results", tmp_path / "run.json"
     done = command(*("study", "run", folder, "-o", results, "--steps", "drops", "--json", document))
     assert done.returncode == 0
-    for said in ("42", "failed", "the same as another", "1 failed, ", "line 1 is empty"):
+    for said in ("42", "failed", "the same as another", "1 failed, ", "the file is empty"):
         assert said in done.stdout
     assert f"wrote {results / 'recordings.parquet'}" in done.stdout.replace("\n", "")
     told = json.loads(document.read_text())
@@ -91,6 +92,27 @@ def test_terms_of_the_model_are_those_of_every_fit_and_told_apart(
     assert len({each.digest("fit") for each in asked}) == 3
     assert len({each.digest("drops") for each in asked}) == 1
     assert pickle.loads(pickle.dumps(valued)).digest("fit") == valued.digest("fit")
+
+
+def test_a_run_says_whose_sides_look_exchanged(command, here, folder, tmp_path, monkeypatch):
+    monkeypatch.setattr(
+        "exoid.studies.statistics.visits.exchanged.exchanged",
+        lambda study: (Exchanged("P01", ("day2",)),),
+    )
+    asked = ("--steps", "drops", "-o", tmp_path / "results")
+    said = command("study", "run", folder, *asked).stdout.replace("\n", " ")
+    assert "P01: left and right of visit day2 look exchanged" in said
+
+
+def test_a_run_that_ctrl_c_ends_says_that_the_same_command_goes_on(
+    command, here, folder, tmp_path, monkeypatch
+):
+    def run(*_, **__):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("exoid.studies.engine.run_study.run_study", run)
+    done = command("study", "run", folder, "-o", tmp_path / "results")
+    assert "What was computed is kept: the same command goes on from there.\n" in done.stderr
 
 
 @pytest.mark.parametrize(

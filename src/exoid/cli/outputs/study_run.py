@@ -1,10 +1,12 @@
 """What a run of a study did."""
 
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from exoid.cli.terminal.progress import pace
+from exoid.cli.terminal.say import say
 from exoid.files.counted import counted
 from exoid.files.visible import visible
 
@@ -26,6 +28,25 @@ def doubted(folder: str, errors: int) -> Iterator[str]:
             f"{counted(errors, 'error')} in this data set: results of them are wrong or missing. "
             f"See 'exoid study check {folder}'."
         )
+
+
+@contextmanager
+def kept_when_interrupted() -> Iterator[None]:
+    """Say, where Ctrl-C ends a run, what becomes of what it has computed."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        say("What was computed is kept: the same command goes on from there.", err=True)
+        raise
+
+
+def exchanged_sides(results: Path) -> list[str]:
+    """Whose left and right look exchanged, at which visit."""
+    from exoid.studies.page.parts.opening import turned
+    from exoid.studies.statistics.tables.study import open_study
+    from exoid.studies.statistics.visits.exchanged import exchanged
+
+    return [turned(each) for each in exchanged(open_study(results))]
 
 
 def print_outcome(made: Any, results: Path, console: Any) -> None:

@@ -13,7 +13,13 @@ from exoid.cli.inputs.data_set import opened
 from exoid.cli.inputs.terms import With, terms_asked
 from exoid.cli.outputs.destination import Force, Json, check_outputs
 from exoid.cli.outputs.results import show
-from exoid.cli.outputs.study_run import check_results, doubted, print_outcome
+from exoid.cli.outputs.study_run import (
+    check_results,
+    doubted,
+    exchanged_sides,
+    kept_when_interrupted,
+    print_outcome,
+)
 from exoid.cli.outputs.written import Outputs
 from exoid.cli.terminal.progress import progress
 from exoid.cli.terminal.say import say
@@ -84,9 +90,10 @@ def run(
     found = opened(dataset)
     checked = in_phases(lambda told: check_dataset(found, 0, told), "looking at recordings")
     say(*doubted(str(dataset), checked.errors))
-    with progress("recordings") as told:
+    with kept_when_interrupted(), progress("recordings") as told:
         made = run_study(found, results, settings, count=workers, scheduler=scheduler, told=told)
     show(lambda console: print_outcome(made, results, console))
+    say(*exchanged_sides(results))
     files = Outputs()
     files.put_document(json, lambda: {**asdict(made), "folder": str(results), "steps": named})
     files.end(follows=made.ok + made.partly > 0)
