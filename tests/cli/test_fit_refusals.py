@@ -28,7 +28,7 @@ def table(path, angle, column="raw_angle_rad", known=True):
     [
         ("missing.csv", None, "Check the name"),
         ("missing.blf", None, "Check the name"),
-        ("empty.csv", b"", "line 1 is empty"),
+        ("empty.csv", b"", "the file is empty"),
         ("empty.blf", b"", "is empty"),
         ("noise.csv", bytes(range(256)), "is not UTF-8 text"),
         ("noise.blf", bytes(range(256)), "is not a BLF file"),

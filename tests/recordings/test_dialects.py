@@ -282,6 +282,7 @@ def test_a_time_of_exoids_name_hides_no_other_name(write, names):
         ("time_s,raw_angel_deg\n0,1\n1,1\n", {}, "Did you mean raw_angle_deg? Name it: columns="),
         ("t;knee\n0;1\n1;1\n2;left\n3;1\n", {}, "line 4, column knee: 'left' is not a number"),
         ("t;knee\n0;1\n1;1\n2;1;5\n3;1\n", {}, "line 4 has 3 cells, but the samples above have 2"),
+        ("t;knee\n0;1\n1;1\n2;1\n3\n", {}, "It is the last one: is the end of the file lost?"),
         ("t,knee\n0,0,1,5\n1,0,2,5\n", {}, "decimal commas between commas"),
         ("t;knee (rad)\n0;-20\n1;-21\n", {}, "line 2: raw_angle_rad in segment 0, sample 0 is -20"),
         ("t;knee (m)\n0;-20\n1;-21\n", {}, "column knee (m) is in m, but raw_angle_rad is in rad"),

@@ -305,7 +305,7 @@ def refusal(path):
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        (b"", "line 1 is empty"),
+        (b"", "the file is empty"),
         (b"time_s,angle_rad\n", "holds a header but no samples"),
         (b"time_s,angle_rad\n\n\n", "holds a header but no samples"),
         (b"x" * 200_000, "holds no table of numbers"),
@@ -387,6 +387,8 @@ def test_a_bad_sample_of_a_later_segment_is_named_by_its_line(write):
         ("[subject]\nheight_m 1.8\n", "is not valid TOML: Expected '='"),
         ("[subject\n", "is not valid TOML"),
         ("[subject]\nbody_mass_kg = 77,5\n", "no comma: body_mass_kg = 77.5"),
+        ("[subject]\nkind = leg\n", 'Words stand in quotes: kind = "leg".'),
+        ('[subject]\nid = "a"\nside = left # or right\n', 'Words stand in quotes: side = "left".'),
         (b"\xff[subject]", "is not UTF-8 text"),
         ("subject = 3\n", "subject must be a table: write [subject]"),
         ('[subject]\nheight_m = "1.8"\n', "height_m in [subject] is '1.8'; it must be a number"),

@@ -14,6 +14,8 @@ from study_folders import study, table_of
         ("P02,7.7,,", "weighs 7.7 kg. Is a digit missing?"),
         ("P02,61000,1.65,40", "It would be 61 kg if it is in g."),
         ("P02,61,165,40", "It would be 1.65 m if it is in cm."),
+        ("P02,165,0.61,40", "It would be 61 kg at 1.65 m were the two exchanged."),
+        ("P02,1.65,61,40", "It would be 61 kg at 1.65 m were the two exchanged."),
         ("P02,61,1.65,400", "age_years is 400"),
     ],
 )

@@ -101,7 +101,7 @@ def test_one_cause_of_many_is_said_once_and_drowns_nothing(command, flexion_posi
     )
     assert "defaults.toml at the top of the data set" in said
     assert "flip=" not in said
-    assert "P09_left.csv: line 1 is empty" in said
+    assert "P09_left.csv: the file is empty" in said
 
 
 def test_convert_of_a_folder_says_where_a_sign_is_told(command, flexion_positive, tmp_path):

@@ -129,8 +129,8 @@ def test_what_fails_in_one_step_is_told_with_it_and_has_the_results_of_the_other
     assert told[REFUSED]["reason"].startswith("fit: no. diagnose: it took the process")
     assert told[NAMES[2]]["reason"].startswith("diagnose: it took the process")
     unread = told["P03_left.csv"]["reason"]
-    assert unread.startswith("line 1 is empty;")  # of no step
-    assert unread.count("line 1 is empty") == 1
+    assert unread.startswith("the file is empty.")  # of no step
+    assert unread.count("the file is empty") == 1
     quantities = rows(tmp_path / "results", "quantities.parquet")
     steps = {row["step"] for row in quantities if row["name"] == NAMES[2]}
     assert steps == {"drops", "fit"}

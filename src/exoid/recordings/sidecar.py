@@ -22,6 +22,8 @@ FOR_FITS = "fit"  # the table of what is fixed, bounded or expected; a fit reads
 DEEPEST = 50  # tables and lists within each other; exoid's own keys need two
 TOO_DEEP = f"nests tables or lists more than {DEEPEST} deep. Leave out what exoid does not know."
 DECIMAL_COMMA = re.compile(r"^\s*([\w-]+)\s*=\s*([-+]?\d+),(\d+)\s*(?:#.*)?$", re.MULTILINE)
+WORD = re.compile(r"^\s*([\w-]+)\s*=\s*([^\W\d_][\w .-]*?)\s*(?:#.*)?$")
+LINE = re.compile(r"\(at line (\d+),")
 COLUMNS = "columns"  # what the columns of the table beside it are called: [columns]
 
 
@@ -81,7 +83,8 @@ def parse_toml(path: Path) -> dict[str, Any]:
     try:
         document = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise ValueError(f"is not valid TOML: {error}.{with_comma(text)}") from error
+        hint = with_comma(text) or in_quotes(text, str(error))
+        raise ValueError(f"is not valid TOML: {error}.{hint}") from error
     except RecursionError as error:
         raise ValueError(TOO_DEEP) from error
     check_depth(document)
@@ -95,6 +98,13 @@ def with_comma(text: str) -> str:
         return ""
     key, whole, rest = found.groups()
     return f" A number has a decimal point here, no comma: {key} = {whole}.{rest}."
+
+
+def in_quotes(text: str, fault: str) -> str:
+    """A hint where the line at fault has a word without quotes."""
+    at = LINE.search(fault)
+    found = WORD.match(text.splitlines()[int(at[1]) - 1]) if at else None
+    return "" if found is None else f' Words stand in quotes: {found[1]} = "{found[2]}".'
 
 
 def check_depth(document: dict[str, Any]) -> None:

@@ -10,6 +10,7 @@ from itertools import accumulate
 
 import numpy as np
 
+from exoid.files.counted import counted
 from exoid.recordings.tables.sheet import Column, Place, Sheet, listed, printable
 from exoid.recordings.tables.units import is_unit, parted, plain
 
@@ -150,9 +151,11 @@ def is_sample(row: Row, numeric: tuple[bool, ...]) -> bool:
 def check_widths(block: list[Row], width: int, place: Place, first: int) -> None:
     for at, row in enumerate(block):
         if len(row) != width:
+            cut = at == len(block) - 1 and len(row) < width
+            why = "Is a cell missing, or are there decimal commas?"
             raise ValueError(
-                f"{place(first + at)} has {len(row)} cells, but the samples above have {width}. "
-                "Is a cell missing, or are there decimal commas?"
+                f"{place(first + at)} has {counted(len(row), 'cell')}, but the samples above have "
+                f"{width}. {'It is the last one: is the end of the file lost?' if cut else why}"
             )
 
 

@@ -7,6 +7,7 @@ LEAST = 30.0  # kg, of a grown person
 INFANT = 8.0  # kg; who weighs less cannot sit on the edge of a seat
 BUILDS = (9.0, 80.0)  # kg/m2, body mass over height squared: from starved to the heaviest
 PLAUSIBLE = (16.0, 40.0)  # kg/m2, of most people
+SIZES = (1.0, 2.2)  # m, of most people
 USUAL = (12.0, 45.0)  # kg/m2, of grown people, but for some in a thousand
 POUND = 0.45359237  # kg
 UNITS = {"lb": POUND, "st": 14 * POUND}  # kg, in which people are weighed elsewhere
@@ -33,13 +34,24 @@ def doubts(mass: float | None, height: float | None, age: float | None) -> tuple
 def doubts_of_build(mass: float, height: float, age: float | None) -> tuple[Doubt, ...]:
     """Of a body mass for its height; a child may be lighter than grown people."""
     build, said = mass / height**2, f"weighs {mass:g} kg at {height:g} m, as"
-    hint = likely_unit(mass, height)
+    hint = likely_exchanged(mass, height) or likely_unit(mass, height)
     if not BUILDS[0] <= build <= BUILDS[1]:
         return (Doubt(f"{said} nobody does. Which of them is wrong?{hint}", True),)
     if (age is None or age >= GROWN) and not USUAL[0] <= build <= USUAL[1]:
         hardly = f"{said} hardly anybody does ({build:.0f} kg/m2). Is that right?{hint}"
         return (Doubt(hardly, False),)
     return ()
+
+
+def likely_exchanged(mass: float | None, height: float | None) -> str:
+    """The body that it would be were each number [kg, m] in the place of the other."""
+    if mass is None or height is None:
+        return ""
+    for centimetres in (1.0, 100.0):
+        other, tall = height * centimetres, mass / centimetres
+        if SIZES[0] <= tall <= SIZES[1] and PLAUSIBLE[0] <= other / tall**2 <= PLAUSIBLE[1]:
+            return f" It would be {other:g} kg at {tall:g} m were the two exchanged."
+    return ""
 
 
 def likely_unit(mass: float, height: float) -> str:

@@ -43,7 +43,8 @@ def check_body(body: Body) -> None:
     if not 10.0 <= body.mass_index <= 80.0:
         raise ValueError(
             f"body_mass {body.mass:g} kg and height {body.height:g} m make a body mass index of "
-            f"{body.mass_index:.3g}, beyond 10 to 80. Check both: kg, and m."
+            f"{body.mass_index:.3g}, beyond 10 to 80. Check both: the mass in kilograms, the "
+            "height in metres."
         )
 
 

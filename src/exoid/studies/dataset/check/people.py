@@ -4,7 +4,7 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 
-from exoid.physics.anatomy.body.doubt import doubts
+from exoid.physics.anatomy.body.doubt import doubts, likely_exchanged
 from exoid.recordings.declared.entry import known
 from exoid.recordings.declared.subject import Subject
 from exoid.recordings.declared.unit_hint import unit_hint
@@ -52,11 +52,12 @@ def missing(name: str, told: list[Participant | Subject]) -> Findings:
 def sizes(person: Participant) -> Findings:
     """Numbers that cannot be true of this person."""
     bad: list[Finding] = []
+    exchanged = likely_exchanged(person.body_mass, person.height)
     for name in ("body_mass", "height", "age"):
         value, meta = getattr(person, name), RANGES[name]
         low, high = meta["lower"], meta["upper"]
         if value is not None and not low <= value <= high:
-            hint = unit_hint(meta["key"], meta["unit"], value, (low, high))
+            hint = exchanged or unit_hint(meta["key"], meta["unit"], value, (low, high))
             says = f"{meta['key']} is {value:g}; it must lie between {low:g} and {high:g}.{hint}"
             bad.append(error("impossible size", person.id, says))
     yield from bad or builds(person)
