@@ -15,10 +15,6 @@ class Interval:
     low: float
     high: float
 
-    @property
-    def apart_from_zero(self) -> bool:
-        return self.low > 0 or self.high < 0
-
 
 @dataclass(frozen=True)
 class Untold:
