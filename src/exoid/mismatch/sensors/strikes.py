@@ -15,6 +15,8 @@ UNUSUAL = 3.0  # standard deviations of a jerk
 ROUNDS = 4  # for the first strikes make others seem usual
 SELDOM = 0.1  # of all steps, up to which strikes are what is unusual
 HAND = 0.2  # s from the first sample on, in which what let go of the leg may show
+NEARBY = 8  # steps to either side, of which most show what is usual there
+AS_MUCH = 0.5  # of a jump, within which the next one takes it back
 LEAST = 8  # samples that show what is usual
 
 
@@ -44,17 +46,25 @@ def sharp(time: Samples, rate: Samples, weight: Samples) -> Steps:
 def times_struck(time: Samples, rate: Samples, weight: Samples) -> int:
     """How often the rate jumps within a step: it changes far more than in the step before, and than
     in the one behind. A torque that only begins or ends there, as friction at a turn, makes it
-    change as in one of the two. Nothing is counted where a hand lets go, nor a sample by itself, to
-    which the rate jumps and at once back.
+    change as in one of the two. Where a hand lets go, nothing is counted, nor what other steps
+    nearby show, too, as where times are off, nor a lone sample that is off.
     """
     seen = np.flatnonzero(weight > 0)
     if seen.size < LEAST:
         return 0
     before, behind, usual = by_neighbours(time[seen], rate[seen], weight[seen])
-    free = time[seen][1:-2] > time[seen][0] + HAND
-    least = np.minimum(np.abs(before), np.abs(behind)) > STRUCK * usual
-    way = np.where(free & least & (before * behind > 0), np.sign(before), 0.0)
-    return int(np.sum((way != 0) & (way != -np.roll(way, 1)) & (way != -np.roll(way, -1))))
+    free, change = time[seen][1:-2] > time[seen][0] + HAND, (before + behind) / 2
+    jumps = np.where(before * behind > 0, np.minimum(np.abs(before), np.abs(behind)), 0.0)
+    struck = free & (jumps > STRUCK * np.maximum(usual, NORMAL * nearby(np.abs(change))))
+    back = np.abs(change[:-1] + change[1:]) < AS_MUCH * np.abs(change[:-1])
+    lone = struck[:-1] & struck[1:] & back
+    return int(np.sum(struck & ~np.append(lone, False) & ~np.append(False, lone)))
+
+
+def nearby(change: np.ndarray) -> np.ndarray:
+    """The median of what the steps around each show."""
+    around = np.pad(change, NEARBY, mode="reflect" if change.size > NEARBY else "edge")
+    return np.median(np.lib.stride_tricks.sliding_window_view(around, 2 * NEARBY + 1), axis=1)
 
 
 def by_neighbours(
