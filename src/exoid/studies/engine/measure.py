@@ -2,11 +2,14 @@
 
 from collections import Counter
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import Any
 
 from exoid.files.visible import visible
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.program_cache import with_sound_programs
+from exoid.physics.anatomy.body.doubt import doubts
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.condition import classify
 from exoid.studies.batch.fit_many import fit_many
 from exoid.studies.dataset.cause import for_all
@@ -14,7 +17,7 @@ from exoid.studies.dataset.entry import Dataset
 from exoid.studies.dataset.recording_of import recording_of
 from exoid.studies.engine.kept.item import Item
 from exoid.studies.engine.kept.measured import Measured
-from exoid.studies.engine.kept.quantities import Row, of_diagnosis, of_drops, of_fit
+from exoid.studies.engine.kept.quantities import WHOLE, Row, of_diagnosis, of_drops, of_fit
 from exoid.studies.engine.outcome import UNLIKE
 from exoid.studies.engine.plan import Batch
 from exoid.studies.engine.reason import reason_of
@@ -76,17 +79,35 @@ def of_step(step: str, recording: Any, settings: Settings) -> Iterable[Row]:
     from exoid.mismatch.missing_physics import diagnose
 
     options = dict(settings.diagnose)
-    return list(of_diagnosis(with_sound_programs(lambda: diagnose(recording, **options))))
+    known = believed(recording)
+    return list(of_diagnosis(with_sound_programs(lambda: diagnose(known, **options))))
 
 
 def fitted(each: list[Measured], options: dict[str, Any]) -> None:
     """The rows of all fits."""
-    recordings = [one.recording for one in each if one.recording is not None]
+    recordings = [believed(one.recording) for one in each if one.recording is not None]
     results = with_sound_programs(lambda: fit_many(recordings, **options))
     for one, result in zip(each, results, strict=True):
         take(one, lambda result=result: of_fit(sound(result)))
+        if one.recording is not None and (why := disbelieved(one.recording)):
+            one.rows.append(Row(WHOLE, "fit", "note", note=why))
         if isinstance(result, FitResult) and not result.follows:
             one.fault = f"{UNLIKE}: {result.astray}"
+
+
+def believed(recording: Recording) -> Recording:
+    """Without the sizes of a body that nobody has: what they are not needed for is told then."""
+    if not disbelieved(recording):
+        return recording
+    return replace(recording, subject=replace(recording.subject, body_mass=None, height=None))
+
+
+def disbelieved(recording: Recording) -> str:
+    """Why its body is taken for unknown; nothing where it is somebody's."""
+    subject = recording.subject
+    found = doubts(subject.body_mass, subject.height, subject.age)
+    said = [says for says, impossible in found if impossible]
+    return f"the person {said[0]} Both are taken for unknown: ratios alone count." if said else ""
 
 
 def sound(result: FitResult | Exception) -> FitResult:

@@ -3,6 +3,8 @@
 from math import hypot
 from typing import Literal, NamedTuple
 
+from exoid.physics.anatomy.body.doubt import BUILDS
+
 Sex = Literal["female", "male"]
 
 # Knee to toe, ankle at a right angle: 0.285 H down to the sole, 0.118 H forward (Winter 2009).
@@ -40,11 +42,11 @@ def check_body(body: Body) -> None:
     check_height(body.height)
     if not 2.0 <= body.mass <= 400.0:
         raise ValueError(f"body_mass {body.mass:g} kg is no person's. Is it in grams or pounds?")
-    if not 10.0 <= body.mass_index <= 80.0:
+    if not BUILDS[0] <= body.mass_index <= BUILDS[1]:
         raise ValueError(
             f"body_mass {body.mass:g} kg and height {body.height:g} m make a body mass index of "
-            f"{body.mass_index:.3g}, beyond 10 to 80. Check both: the mass in kilograms, the "
-            "height in metres."
+            f"{body.mass_index:.3g}, beyond {BUILDS[0]:g} to {BUILDS[1]:g}. Check both: the "
+            "mass in kilograms, the height in metres."
         )
 
 
