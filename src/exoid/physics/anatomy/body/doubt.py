@@ -2,10 +2,11 @@
 
 from typing import NamedTuple
 
+from exoid.physics.anatomy.body.size import BUILDS
+
 GROWN = 16.0  # years
 LEAST = 30.0  # kg, of a grown person
 INFANT = 8.0  # kg; who weighs less cannot sit on the edge of a seat
-BUILDS = (9.0, 80.0)  # kg/m2, body mass over height squared: from starved to the heaviest
 PLAUSIBLE = (16.0, 40.0)  # kg/m2, of most people
 SIZES = (1.0, 2.2)  # m, of most people
 USUAL = (12.0, 45.0)  # kg/m2, of grown people, but for some in a thousand

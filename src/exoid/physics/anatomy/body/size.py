@@ -3,10 +3,9 @@
 from math import hypot
 from typing import Literal, NamedTuple
 
-from exoid.physics.anatomy.body.doubt import BUILDS
-
 Sex = Literal["female", "male"]
 
+BUILDS = (9.0, 80.0)  # kg/m2, body mass over height squared: from starved to the heaviest
 # Knee to toe, ankle at a right angle: 0.285 H down to the sole, 0.118 H forward (Winter 2009).
 REACH = hypot(0.285, 0.118)
 
