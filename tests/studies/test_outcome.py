@@ -25,7 +25,7 @@ def test_one_cause_is_one_line_whatever_its_numbers_and_details():
     assert made.reasons == {
         f"0.csv, 1.csv, 2.csv and 21 more, the first of them: {astray[0]}. "
         "Measured nevertheless: drops.": 24,
-        "24.csv, 25.csv, the first of them: the file is empty.": 2,
+        "24.csv, 25.csv, the first of them: line 1 is empty.": 2,
     }
 
 

@@ -23,7 +23,7 @@ def read_delimited(path: Path) -> Sheet:
 
 def sheet_of_text(text: str) -> Sheet:
     if not text.strip():
-        raise ValueError("the file is empty. Was it copied to its end?")
+        raise ValueError("the file is empty. Copy it again.")
     sheet = sheet_of_rows(rows_of(text), Place("line", 1))
     return replace(sheet, time=LABVIEW_TIME) if text.startswith(LABVIEW) else sheet
 
