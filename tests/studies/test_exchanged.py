@@ -101,6 +101,6 @@ def heavy(draw):
 
 
 def test_visits_that_scatter_with_heavy_tails_are_not_called_exchanged():
-    # Were their scatter taken for normal, one of these 20 would be.
+    # One of these 20 has one by a rule of normal scatter, and by this one at a chance of 5e-3.
     draw = np.random.default_rng(4)
     assert not any(1 in verdicts(heavy(draw)).values() for _ in range(20))
