@@ -15,7 +15,7 @@ from exoid.mismatch.conclude.verdict.struck import OFTEN, struck
 from exoid.mismatch.evidence.location import Location
 from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.sensors.strikes import times_struck
+from exoid.mismatch.sensors.strikes import times_of_strikes
 from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.hard_stop import HardStop
 from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
@@ -47,7 +47,7 @@ def fallen(friction=0.0, stop=-np.inf, seed=0):
 def test_friction_that_turns_strikes_nothing(friction):
     """At a turn its torque jumps, and with it the slope of the rate; the rate does not."""
     for seed in range(3):
-        assert times_struck(*fallen(friction, seed=seed)[:3]) == 0
+        assert times_of_strikes(*fallen(friction, seed=seed)[:3]).size == 0
 
 
 def test_a_sensor_that_errs_strikes_nothing():
@@ -59,14 +59,14 @@ def test_a_sensor_that_errs_strikes_nothing():
     late = np.interp(time + random.normal(0, 1e-3, time.size), time, rate)
     off = rate + 20 * NOISE * (random.uniform(size=time.size) < 0.01)
     for shown in (np.repeat(rate[::2], 2), late, off):
-        assert times_struck(time, shown, weight) < OFTEN
+        assert times_of_strikes(time, shown, weight).size < OFTEN
 
 
 def test_every_run_into_a_stop_that_lies_apart_from_others_is_seen():
     time, rate, weight, hits = fallen(stop=STOP)
-    assert 3 <= times_struck(time, rate, weight) <= hits
-    assert times_struck(time[:20], rate[:20], weight[:20]) == 0  # a hand may still be there
-    assert times_struck(time, rate, 0 * weight) == 0  # no gyro
+    assert 3 <= times_of_strikes(time, rate, weight).size <= hits
+    assert not times_of_strikes(time[:20], rate[:20], weight[:20]).size  # a hand may still be there
+    assert not times_of_strikes(time, rate, 0 * weight).size  # no gyro
 
 
 def shown(*terms, left=50_000.0, stop=STOP):

@@ -4,12 +4,15 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from exoid.fitting.solve.cores.side_by_side import side_by_side
+from exoid.mismatch.flight.starts import partners, starts_in_flight
 from exoid.mismatch.screen.hypothesis import Linear, Optimum
-from exoid.mismatch.screen.optimise import given, strikes
+from exoid.mismatch.screen.optimise import enough, given, strikes
 from exoid.mismatch.search.found import Found, lone_and_joint
 from exoid.mismatch.search.likely import smeared
 from exoid.mismatch.search.race import left_of, raced, simulated
 from exoid.mismatch.search.rank import alike, by_evidence
+from exoid.physics.term import Term
+from exoid.physics.terms.device.backlash import Backlash
 
 MOST = 4  # rivals that run free, the nearest first
 
@@ -70,5 +73,21 @@ def found_anyhow(found: Found, one: Optimum, known: Linear | None, rival: Optimu
     """
     prepared, term = found.prepared, one.candidate.terms[-1]
     led = [one.candidate] if one.square < found.base.square else []
-    own = [found.begin.with_term(term, value, known) for value in prepared.starts(term)]
+    own = starts_in_flight(prepared, found.begin) if term is Backlash else []
+    own = own or [found.begin.with_term(term, value, known) for value in prepared.starts(term)]
     return raced(prepared, [*led, *own], rival)
+
+
+def beside_play(found: Found, usable: list[type[Term]], told: Callable[[str], None]) -> Found:
+    """The same with play beside those causes that explain most between strikes."""
+    prepared, each = found.prepared, (found.base, *found.singles, *found.pairs)
+    rival = min(each, key=left_of)
+    if Backlash not in usable or enough(prepared, rival.square):
+        return found
+    others = [starts_in_flight(prepared, one) for one in partners(prepared, usable, found.begin)]
+    if not others:
+        return found
+    told("simulating play beside other causes")
+    ended = side_by_side(lambda starts: raced(prepared, starts, rival), others)
+    more = [one for one in ended if one.sound]
+    return replace(found, pairs=by_evidence([*found.pairs, *more], found.base, found.yardstick))

@@ -20,7 +20,7 @@ from exoid.mismatch.screen.optimise import (
     strikes,
 )
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.challenge import with_hidden
+from exoid.mismatch.search.challenge import beside_play, with_hidden
 from exoid.mismatch.search.exchange import exchanged
 from exoid.mismatch.search.found import Found, best_of, lone_and_joint, size
 from exoid.mismatch.search.likely import likeliest, ordered, shortlist
@@ -97,7 +97,7 @@ def beyond_the_first(found: Found, usable: list[type[Term]], told: Told) -> Foun
         found = with_hidden(found, sticking, told)
     found, sought = with_pairs(exchanged(found), usable, told, struck=explained)
     if not explained and (striking := strikes_in_reach(found)):
-        found = exchanged(with_hidden(found, striking, told))
+        found = beside_play(exchanged(with_hidden(found, striking, told)), usable, told)
         if not leaving_noise(found.pairs, found.prepared):
             found, sought = with_pairs(found, usable, told, struck=True)
     return with_sets(found, usable, told) if sought else found

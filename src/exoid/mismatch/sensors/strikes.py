@@ -43,22 +43,24 @@ def sharp(time: Samples, rate: Samples, weight: Samples) -> Steps:
     return beside(struck)
 
 
-def times_struck(time: Samples, rate: Samples, weight: Samples) -> int:
-    """How often the rate jumps within a step: it changes far more than in the step before, and than
+def times_of_strikes(time: Samples, rate: Samples, weight: Samples) -> np.ndarray:
+    """When [s] the rate jumps within a step: it changes far more than in the step before, and than
     in the one behind. A torque that only begins or ends there, as friction at a turn, makes it
     change as in one of the two. Where a hand lets go, nothing is counted, nor what other steps
     nearby show, too, as where times are off, nor a lone sample that is off.
     """
     seen = np.flatnonzero(weight > 0)
     if seen.size < LEAST:
-        return 0
+        return np.zeros(0)
     before, behind, usual = by_neighbours(time[seen], rate[seen], weight[seen])
     free, change = time[seen][1:-2] > time[seen][0] + HAND, (before + behind) / 2
     jumps = np.where(before * behind > 0, np.minimum(np.abs(before), np.abs(behind)), 0.0)
     struck = free & (jumps > STRUCK * np.maximum(usual, NORMAL * nearby(np.abs(change))))
     back = np.abs(change[:-1] + change[1:]) < AS_MUCH * np.abs(change[:-1])
     lone = struck[:-1] & struck[1:] & back
-    return int(np.sum(struck & ~np.append(lone, False) & ~np.append(False, lone)))
+    struck &= ~np.append(lone, False) & ~np.append(False, lone)
+    steps = 1 + np.flatnonzero(struck)
+    return (time[seen[steps]] + time[seen[steps + 1]]) / 2
 
 
 def nearby(change: np.ndarray) -> np.ndarray:

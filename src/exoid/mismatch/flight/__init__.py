@@ -1,0 +1,1 @@
+"""What swings by itself between two strikes, and where a search for it begins."""
