@@ -104,7 +104,8 @@ def test_the_other_cause_is_seen_between_strikes_and_both_begin_near_where_they_
         expected = SMALL_LEG.friction / SMALL_LEG.inertia
         assert one.values[0][0] / inertia == pytest.approx(expected, rel=0.25)
         gravity = float(prepared.coordinates(one).shared.gravity)
-        assert gravity == pytest.approx(SMALL_LEG.gravity / SMALL_LEG.inertia, rel=0.05)
+        # Half of the frame's weight may be taken for the leg's.
+        assert gravity == pytest.approx(SMALL_LEG.gravity / SMALL_LEG.inertia, rel=0.1)
 
 
 def test_masses_and_driven_legs_are_not_told_by_accelerations(sticking):

@@ -37,7 +37,9 @@ class Backlash(PhysicsTerm):
     jumps = True
     substeps = 8
 
-    half_play: Parameter = parameter("b", "rad", 0.0, 0.1, "half the play", (0.008, 0.022))
+    half_play: Parameter = parameter(
+        "b", "rad", 0.0, 0.1, "half the play", (0.008, 0.022), law=0.015
+    )
     frame_inertia: Parameter = parameter(
         "J_e", "kg m^2", 0.003, 0.1, "inertia of the frame", (0.012,)
     )
