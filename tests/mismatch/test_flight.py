@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.estimate import fit
+from exoid.fitting.model.coordinates import flattened
 from exoid.mismatch import prepare as preparing
 from exoid.mismatch.flight.accelerations import accelerations
 from exoid.mismatch.flight.laws import of_frame, of_leg, straight
@@ -108,9 +109,14 @@ def test_the_other_cause_is_seen_between_strikes_and_both_begin_near_where_they_
         assert gravity == pytest.approx(SMALL_LEG.gravity / SMALL_LEG.inertia, rel=0.1)
 
 
-def test_masses_and_driven_legs_are_not_told_by_accelerations(sticking):
+def test_with_masses_the_frame_is_told_and_the_leg_stays_what_it_was(sticking):
     prepared, base = sticking
     heavier = [replace(each, added_mass=1.0) for each in prepared.problem.movements]
     other = replace(prepared, problem=replace(prepared.problem, movements=heavier))
-    assert starts_in_flight(other, base.candidate) == []
     assert partners(other, (CoulombFriction,), base.candidate) == []
+    leg = other.coordinates(base.candidate).shared
+    assert (starts := starts_in_flight(other, base.candidate))
+    for one in starts:
+        _, frame, pull, *_ = one.values[-1]
+        assert pull / frame == pytest.approx(HEAVY.gravity / HEAVY.inertia, rel=0.02)
+        assert flattened(other.coordinates(one).shared) == pytest.approx(flattened(leg))

@@ -31,14 +31,14 @@ def partners(
 ) -> list[Hypothesis]:
     """The causes that explain most of what is left between strikes, each where it begins."""
     laws = seen_laws(prepared)
+    if laws is None or not tells_leg(prepared):
+        return []
     starts = [
         begin.with_term(term, value)
         for term in usable
         for value in prepared.starts(term)
         if pushes(term)
     ]
-    if laws is None or not starts:
-        return []
     most = NOTABLE * of_leg(*laws, USUAL)[1]
     best: dict[type[Term], tuple[float, Hypothesis]] = {}
     for start, push in zip(starts, pushed(prepared, starts), strict=True):
@@ -62,55 +62,53 @@ def starts_in_flight(prepared: PreparedRecording, known: Hypothesis) -> list[Hyp
     laws = seen_laws(prepared)
     if laws is None:
         return []
-    causes = known.terms[len(prepared.common) :]
-    pushing = [alone(known, term) for term in causes if pushes(term)]
-    others = pushed(prepared, pushing)
+    legs = {share: known for share in SHARES}
+    if tells_leg(prepared):
+        others = pushed(prepared, [alone(known, term) for term in known.terms if pushes(term)])
+        legs = {
+            share: swinging(prepared, known, of_leg(*laws, share, *others)[0]) for share in SHARES
+        }
     return [
-        with_play(prepared, known, laws, (half, share), others)
+        with_play(prepared, legs[share], laws[1], half, share)
         for half, share in product(HALVES, SHARES)
     ]
 
 
 def with_play(
-    prepared: PreparedRecording,
-    known: Hypothesis,
-    laws: Laws,
-    play: tuple[float, float],
-    others: list[np.ndarray],
+    prepared: PreparedRecording, known: Hypothesis, law: np.ndarray, half: float, share: float
 ) -> Hypothesis:
-    """Half a play and the frame's share of the leg's inertia, on the leg that goes with them."""
-    half, share = play
-    (gravity, stiffness, damping, *sizes), _ = of_leg(*laws, share, *others)
-    at = prepared.coordinates(known)
-    inertia = float(np.exp(at.shared.log_inertia))
-    frame = dict(zip(LAW, share * inertia * laws[1], strict=True))
-    frame |= CONTACT | {"half_play": half, "frame_inertia": share * inertia}
-    leg = replace(at.shared, gravity=gravity, stiffness=stiffness, damping=damping)
-    known = with_sizes(replace(known, point=prepared.point(replace(at, shared=leg))), sizes)
+    """What is known with half a play and a frame of this share of the leg's inertia."""
+    inertia = share * float(np.exp(prepared.coordinates(known).shared.log_inertia))
+    frame = dict(zip(LAW, inertia * law, strict=True))
+    frame |= CONTACT | {"half_play": half, "frame_inertia": inertia}
     values = np.array([frame[name] for name, _ in declarations(Backlash)])
     start = known.with_term(Backlash, values)
     return start.at(np.clip(start.unknowns, *prepared.bounds(start)))
 
 
-def with_sizes(known: Hypothesis, sizes: list[float]) -> Hypothesis:
-    """The same with the sizes of what pushes."""
-    left = iter(sizes)
+def swinging(prepared: PreparedRecording, known: Hypothesis, law: np.ndarray) -> Hypothesis:
+    """What is known on a leg of this law, with the sizes of what pushes behind it."""
+    gravity, stiffness, damping, *sizes = law
+    at, left = prepared.coordinates(known), iter(sizes)
+    leg = replace(at.shared, gravity=gravity, stiffness=stiffness, damping=damping)
     values = [
         np.array([next(left), *value[1:]]) if pushes(term) else value
         for term, value in zip(known.terms, known.values, strict=True)
     ]
-    return replace(known, values=tuple(values))
+    return replace(known, point=prepared.point(replace(at, shared=leg)), values=tuple(values))
 
 
 def seen_laws(prepared: PreparedRecording) -> Laws | None:
-    """Accelerations and the frame's law, where they tell: not where another torque drives the leg,
-    or masses were added.
-    """
-    if any(each.kind != "passive" or each.added_mass > 0 for each in prepared.problem.movements):
-        return None
+    """Accelerations and the frame's law, where strikes tell it."""
     seen = accelerations(prepared)
     frame = of_frame(seen)
     return None if frame is None or not seen.joined.any() else (seen, frame)
+
+
+def tells_leg(prepared: PreparedRecording) -> bool:
+    """Do accelerations tell the leg's law? Not where another torque drives it, or masses are on."""
+    each = prepared.problem.movements
+    return all(one.kind == "passive" and not one.added_mass > 0 for one in each)
 
 
 def pushed(prepared: PreparedRecording, starts: list[Hypothesis]) -> list[np.ndarray]:

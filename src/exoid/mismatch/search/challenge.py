@@ -73,9 +73,9 @@ def found_anyhow(found: Found, one: Optimum, known: Linear | None, rival: Optimu
     """
     prepared, term = found.prepared, one.candidate.terms[-1]
     led = [one.candidate] if one.square < found.base.square else []
-    own = starts_in_flight(prepared, found.begin) if term is Backlash else []
-    own = own or [found.begin.with_term(term, value, known) for value in prepared.starts(term)]
-    return raced(prepared, [*led, *own], rival)
+    seen = starts_in_flight(prepared, found.begin) if term is Backlash else []
+    own = [found.begin.with_term(term, value, known) for value in prepared.starts(term)]
+    return raced(prepared, [*led, *seen, *own], rival)
 
 
 def beside_play(found: Found, usable: list[type[Term]], told: Callable[[str], None]) -> Found:
