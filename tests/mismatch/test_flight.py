@@ -115,7 +115,8 @@ def test_with_masses_the_frame_is_told_and_the_leg_stays_what_it_was(sticking):
     other = replace(prepared, problem=replace(prepared.problem, movements=heavier))
     assert partners(other, (CoulombFriction,), base.candidate) == []
     leg = other.coordinates(base.candidate).shared
-    assert (starts := starts_in_flight(other, base.candidate))
+    starts = starts_in_flight(other, base.candidate)
+    assert starts
     for one in starts:
         _, frame, pull, *_ = one.values[-1]
         assert pull / frame == pytest.approx(HEAVY.gravity / HEAVY.inertia, rel=0.02)

@@ -41,23 +41,35 @@ def test_the_order_of_causes_makes_no_other_set():
 
 
 @pytest.fixture
-def searched(monkeypatch):
-    """A search in which a set lost all causes but one, which had run free by itself, too."""
+def with_sets(monkeypatch):
+    """A search for sets, where one cause leaves so much and a pair is far from noise."""
     for step in ("nested", "plainer_sets", "simulated", "reduced", "twins"):
         monkeypatch.setattr(search, step, lambda *_: [])
     monkeypatch.setattr(search, "yardstick", lambda *_: Yardstick(SAMPLES, scale=1.0))
     monkeypatch.setattr(search, "hopped", lambda prepared, one: one)
-    alone, again = (explaining(each, EndRangeStiffening) for each in (1000.0, 1000.1))
-    monkeypatch.setattr(search, "several", lambda *_: [again])
-    found = found_of([alone], [explaining(1400.0, EndRangeStiffening, CubicStiffness)])
-    found.prepared.common, found.prepared.samples = (), SAMPLES
-    return search.with_sets(found, [], lambda _: None)
+
+    def searched(left, *sets):
+        monkeypatch.setattr(search, "several", lambda *_: [*sets])
+        alone = explaining(left, EndRangeStiffening)
+        found = found_of([alone], [explaining(1400.0, EndRangeStiffening, CubicStiffness)])
+        found.prepared.common, found.prepared.samples = (), SAMPLES
+        return search.with_sets(found, [], lambda _: None)
+
+    return searched
 
 
-def test_what_remains_of_a_set_is_no_second_candidate(searched):
+def test_what_remains_of_a_set_is_no_second_candidate(with_sets):
+    """A set lost all causes but one, which had run free by itself, too."""
+    searched = with_sets(1100.0, explaining(1100.1, EndRangeStiffening))
     assert [one.candidate.terms for one in searched.singles] == [(EndRangeStiffening,)]
     assert all(len(one.candidate.terms) == 2 for one in searched.pairs)
     assert equivalents(searched, searched.singles[0]) == searched.singles
+
+
+def test_where_one_cause_leaves_only_noise_no_set_of_three_is_sought(with_sets):
+    three = explaining(1000.0, EndRangeStiffening, CubicStiffness, HardStop)
+    assert with_sets(1000.0, three).pairs[0].candidate.terms == three.candidate.terms[:2]
+    assert with_sets(1100.0, three).pairs[0].candidate.terms == three.candidate.terms
 
 
 def test_nothing_is_told_apart_from_itself():

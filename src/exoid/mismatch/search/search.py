@@ -174,8 +174,8 @@ def truer_baseline(prepared: PreparedRecording, base: Optimum, best: Optimum) ->
 
 
 def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
-    """The same with sets where no pair is enough, with what may act in the place of one cause of
-    those that are, and with what remains of them where one cause of them is all it takes.
+    """The same with sets where neither a cause nor a pair is enough, with what may act in the place
+    of one cause of those that are, and with what remains of them where one is all it takes.
     """
     prepared, base, joint = found.prepared, found.base, [*found.pairs]
     alone = least(base, *found.singles)
@@ -183,7 +183,7 @@ def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
         plain = in_simplest_form(prepared, best, usable)
         joint.append(plain)
         clear = found.clear(alone, plain) or plain.square > FLOOR * prepared.samples
-        if clear and not enough(prepared, plain.square):
+        if clear and not enough(prepared, min(alone.square, plain.square)):
             told("testing three causes and more")
             joint += several(prepared, usable, plain)
             joint += nested(prepared, ordered(joint)[:1], usable)
