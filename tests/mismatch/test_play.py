@@ -41,13 +41,3 @@ def test_no_play_is_seen_where_none_is(name):
     found = diagnose(recorded(*TIGHT[name]), multistart=8)
     assert not any("backlash" in each for each in found.selected)
     assert found.verdict == ("none" if name == "nothing" else "mismatch")
-
-
-def test_play_is_found_beside_dry_friction():
-    leg = Leg(0.21, 7.4, 0.6, 0.12, friction=0.3)
-    frame = Frame(0.02, 0.012, 0.7, 0.04, 0.006, 1000.0, 0.6)
-    how = Session(rate=200.0, starts=(-0.5, -0.65, -0.9))
-    found = diagnose(recorded(leg, frame, how), multistart=8)
-    assert set(found.selected) == {"coulomb_friction", "backlash"}
-    width = {each.name: each for each in found.parameters}["backlash.half_play"]
-    assert width.value == pytest.approx(frame.half_play, rel=0.1)
