@@ -8,7 +8,7 @@ import numpy as np
 
 from exoid.mismatch.flight.accelerations import Accelerations, accelerations
 from exoid.mismatch.flight.laws import of_frame, of_leg
-from exoid.mismatch.screen.along_motion import ACT, EFFECT, asked
+from exoid.mismatch.screen.along_motion import effects_of_last
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.parameter import declarations
@@ -64,10 +64,11 @@ def starts_in_flight(prepared: PreparedRecording, known: Hypothesis) -> list[Hyp
         return []
     legs = {share: known for share in SHARES}
     if tells_leg(prepared):
-        others = pushed(prepared, [alone(known, term) for term in known.terms if pushes(term)])
-        legs = {
-            share: swinging(prepared, known, of_leg(*laws, share, *others)[0]) for share in SHARES
-        }
+        each = zip(known.terms, known.values, strict=True)
+        others = [known.with_term(term, value) for term, value in each if pushes(term)]
+        pushing = pushed(prepared, others)
+        for share in SHARES:
+            legs[share] = swinging(prepared, known, of_leg(*laws, share, *pushing)[0])
     return [
         with_play(prepared, legs[share], laws[1], half, share)
         for half, share in product(HALVES, SHARES)
@@ -113,11 +114,6 @@ def tells_leg(prepared: PreparedRecording) -> bool:
 
 def pushed(prepared: PreparedRecording, starts: list[Hypothesis]) -> list[np.ndarray]:
     """What the last cause of each does to the leg along the measured motion by its size."""
-    found = asked(prepared, [(one, prepared.measured_motion) for one in starts], ACT, EFFECT)
-    each = zip(starts, found, strict=True)
-    return [every[one.terms[-1]].push.middle[1] for one, every in each]
-
-
-def alone(known: Hypothesis, term: type[Term]) -> Hypothesis:
-    """One of its causes by itself."""
-    return known.without([each for each in known.terms if each is not term])
+    alone = [replace(one, terms=one.terms[-1:], values=one.values[-1:]) for one in starts]
+    each = effects_of_last(prepared, alone, prepared.measured_motion)
+    return [one.push.middle[1] for one in each]

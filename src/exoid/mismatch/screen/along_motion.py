@@ -80,6 +80,14 @@ def effects(prepared: PreparedRecording, seen: Sequence[Tried]) -> list[Effect]:
     return [all_of(row, one) for row, (one, _) in enumerate(seen)]
 
 
+def effects_of_last(
+    prepared: PreparedRecording, starts: list[Hypothesis], motion: MeasuredMotion
+) -> list[Effect]:
+    """What the last cause of each does along the same motion: (1 + parameter, segment, time)."""
+    found = asked(prepared, [(start, motion) for start in starts], ACT, EFFECT)
+    return [one[start.terms[-1]] for start, one in zip(starts, found, strict=True)]
+
+
 def nothing(prepared: PreparedRecording, rows: int) -> Effect:
     """So many that do nothing."""
     segments, size = prepared.seen.time.shape

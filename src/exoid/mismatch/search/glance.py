@@ -10,7 +10,7 @@ from dataclasses import replace
 import jax
 import numpy as np
 
-from exoid.mismatch.screen.along_motion import ACT, EFFECT, asked, nothing, read
+from exoid.mismatch.screen.along_motion import effects_of_last, nothing, read
 from exoid.mismatch.screen.hypothesis import Effect, Hypothesis, Optimum
 from exoid.mismatch.screen.many_free import respond
 from exoid.mismatch.screen.many_pinned import with_columns
@@ -31,7 +31,7 @@ def nearest(prepared: PreparedRecording, starts: list[Hypothesis], most: int) ->
         return []
     known = known_of(starts[0])
     seen = read(prepared, [(known, prepared.measured_motion)])[0]
-    each = effects_of(prepared, starts, seen[1])
+    each = effects_of_last(prepared, starts, seen[1])
     tether = (prepared.tethers or (0.0,))[-1]
     table = with_columns(prepared, seen, padded(prepared, each), tether)
     return [one for _, one in by_what_is_left(prepared, starts, each, table)][:most]
@@ -52,7 +52,7 @@ def beside_free(
         for value in prepared.starts(term)
     ]
     alone = [replace(one, terms=one.terms[-1:], values=one.values[-1:]) for one in starts]
-    each = effects_of(prepared, alone, simulated)
+    each = effects_of_last(prepared, alone, simulated)
     table = respond(prepared, known.candidate, padded(prepared, each))
     return by_what_is_left(prepared, starts, each, table)
 
@@ -78,14 +78,6 @@ def by_what_is_left(
 def known_of(start: Hypothesis) -> Hypothesis:
     """The start without its last cause."""
     return replace(start, terms=start.terms[:-1], values=start.values[:-1])
-
-
-def effects_of(
-    prepared: PreparedRecording, starts: list[Hypothesis], motion: MeasuredMotion
-) -> list[Effect]:
-    """What the last cause of each does along the same motion: (1 + parameter, segment, time)."""
-    found = asked(prepared, [(start, motion) for start in starts], ACT, EFFECT)
-    return [one[start.terms[-1]] for start, one in zip(starts, found, strict=True)]
 
 
 def padded(prepared: PreparedRecording, each: list[Effect]) -> Effect:
