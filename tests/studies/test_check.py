@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from study_checks import NAMES, checked, found, only
-from study_folders import processor_time, study, table_of
+from study_folders import READ_ALL, processor_time, study, table_of
 
 
 def test_a_sound_study_is_told_and_has_no_finding(sound):
@@ -130,10 +130,10 @@ assert check_dataset(open_dataset(sys.argv[1]), 20, lambda word: None).recording
 
 
 def test_twenty_thousand_tiny_files_take_bounded_time(tmp_path):
-    """70 us of a processor each for name, sidecar and content; four times that where it is slow."""
+    """Six to nine times what it takes to read them, for name, sidecar and content."""
     for person in range(200):
         there = tmp_path / f"P{person:03d}"
         there.mkdir()
         for trial in range(100):
             (there / f"left_{trial}.csv").write_text(f"{person},{trial:03d}")
-    assert processor_time(CHECKED, tmp_path) < 20_000 * 280e-6
+    assert processor_time(CHECKED, tmp_path) < 25 * processor_time(READ_ALL, tmp_path)

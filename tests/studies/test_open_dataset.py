@@ -8,7 +8,7 @@ import pytest
 
 from exoid.studies.dataset.open_dataset import open_dataset
 from exoid.studies.dataset.recording_of import recording_of
-from study_folders import processor_time, study
+from study_folders import READ_ALL, processor_time, study
 
 PEOPLE = "id,body_mass_kg,height_m,age_years,group\nP01,77,1.8,30,a\n"
 
@@ -103,13 +103,13 @@ dataset = open_dataset(sys.argv[1])
 
 
 def test_a_hundred_thousand_files_take_seconds(tmp_path):
-    """A tenth of it here: 20 us of a processor each, and five times that where it is slow."""
+    """A tenth of it here, in one to two times what it takes to read them."""
     for person in range(100):
         folder = tmp_path / f"P{person:03d}" / "day1"
         folder.mkdir(parents=True)
         for trial in range(100):
             (folder / f"{('left', 'right')[trial % 2]}_{trial // 2}.csv").touch()
-    assert processor_time(OPENED, tmp_path) < 10_000 * 100e-6
+    assert processor_time(OPENED, tmp_path) < 5 * processor_time(READ_ALL, tmp_path)
     entries = open_dataset(tmp_path).entries
     assert len(entries) == 10_000
     assert {each.run for each in entries} == {str(trial) for trial in range(50)}
